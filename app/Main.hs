@@ -1,0 +1,5 @@
+-- | The program @blackhole@.
+module Main (main) where
+
+main :: IO ()
+main = pure ()

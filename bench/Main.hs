@@ -1,0 +1,7 @@
+-- | All benchmarks, one file per topic.
+module Main (main) where
+
+import Criterion.Main (defaultMain)
+
+main :: IO ()
+main = defaultMain []

@@ -1,0 +1,9 @@
+-- | Runs every specification; the tree below mirrors @src@.
+module Main (main) where
+
+import qualified BlackHole.Vector.XYZSpec
+import Test.Hspec
+
+main :: IO ()
+main = hspec $ do
+  describe "BlackHole.Vector.XYZ" BlackHole.Vector.XYZSpec.spec
