@@ -72,7 +72,8 @@ up_to_date() {
 
 # One build at a time. The kernel frees the lock of a process that was killed.
 lock() {
-  { mkdir -p "$build/bin" && : >>"$build/lock" && : >>"$log"; } 2>/dev/null ||
+  # In a subshell, for a redirection that fails may end the shell.
+  (mkdir -p "$build/bin" && : >>"$build/lock" && : >>"$log") 2>/dev/null ||
     fail "cannot write to $build, so nothing can be built there"
   # Where there is no flock (macOS), two first calls at once are not kept apart.
   command -v flock >/dev/null || return 0
@@ -132,12 +133,16 @@ prepare() {
   way=debian missing=
   if command -v apt-get >/dev/null && command -v dpkg-query >/dev/null; then
     missing=$(missing_packages "$1")
+    missing=${missing% }
     [ -n "$missing" ] || return 0
     if can_be_root; then
-      say "installing with apt (about 140 MB if GHC is among it): $missing"
       # Without a network, what lies in apt's cache can still be installed.
       apt_get update || :
       if apt_has_recent_ghc; then
+        case $missing in
+          'ghc '*) say "installing with apt (about 140 MB to download): $missing" ;;
+          *) say "installing with apt: $missing" ;;
+        esac
         # shellcheck disable=SC2086
         apt_get install --no-install-recommends $missing || {
           tail -n 20 "$log" >&2
@@ -245,8 +250,8 @@ stack_build() {
 # build_or_fail FLAG TARGET…
 build_or_fail() {
   "${way}_build" "$@" >"$log" 2>&1 && return 0
-  # From the first error on: what goes before is progress and warnings.
-  sed -n '/[Ee]rror:/,$p' "$log" | grep . >&2 || tail -n 40 "$log" >&2
+  # From the first error on, less the progress: warnings go before it.
+  sed -n '/[Ee]rror:/,$p' "$log" | grep -v '^\[ *[0-9]* of ' >&2 || tail -n 40 "$log" >&2
   fail "the build failed; full log: $log"
 }
 
