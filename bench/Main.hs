@@ -2,6 +2,7 @@
 module Main (main) where
 
 import Criterion.Main (defaultMain)
+import qualified NoiseBench
 
 main :: IO ()
-main = defaultMain []
+main = defaultMain [NoiseBench.benchmarks]
