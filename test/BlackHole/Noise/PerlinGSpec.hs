@@ -10,7 +10,8 @@ import qualified BlackHole.Vector.XYZ as XYZ
 import Control.Monad.ST (runST)
 import Data.Bits (shiftL)
 import Data.Foldable (for_)
-import Data.List (foldl', nub)
+import Data.List (nub)
+import qualified Data.List as List
 import Data.STRef (modifySTRef', newSTRef, readSTRef)
 import Data.Word (Word64)
 import Test.Hspec
@@ -225,7 +226,7 @@ profiles :: Spec
 profiles = do
   prop "are sums of amplitude times noise" $ \seed (Place v@(XYZ x y _)) -> do
     let s = Seed seed
-        total one = foldl' (\acc (l, a) -> acc + a * one l) 0 (layers someProfile)
+        total one = List.foldl' (\acc (l, a) -> acc + a * one l) 0 (layers someProfile)
     perlin3 s someProfile v `shouldSatisfy` within 1.0e-14 (total (\l -> noise3 s l v))
     perlin2 s someProfile (XY x y) `shouldSatisfy` within 1.0e-14 (total (\l -> noise2 s l (XY x y)))
 
@@ -364,7 +365,7 @@ worst3 (x, y, z) =
     best u v w = argMax (XYZ.dot (XYZ u v w) . gradient3) hashes3
 
 argMax :: (Word64 -> Double) -> [Word64] -> Word64
-argMax f = snd . foldl' larger (-1 / 0, 0)
+argMax f = snd . List.foldl' larger (-1 / 0, 0)
   where
     larger (m, w) v
       | f v > m = (f v, v)
