@@ -1,11 +1,17 @@
 -- | Runs every specification; the tree below mirrors @src@.
 module Main (main) where
 
+import qualified BlackHole.Light.BlackBodySpec
+import qualified BlackHole.Light.BlackBodyTableSpec
+import qualified BlackHole.Light.CieSpec
 import qualified BlackHole.Light.RadianceSpec
 import qualified BlackHole.Vector.XYZSpec
 import Test.Hspec
 
 main :: IO ()
 main = hspec $ do
+  describe "BlackHole.Light.BlackBody" BlackHole.Light.BlackBodySpec.spec
+  describe "BlackHole.Light.BlackBodyTable" BlackHole.Light.BlackBodyTableSpec.spec
+  describe "BlackHole.Light.Cie" BlackHole.Light.CieSpec.spec
   describe "BlackHole.Light.Radiance" BlackHole.Light.RadianceSpec.spec
   describe "BlackHole.Vector.XYZ" BlackHole.Vector.XYZSpec.spec
