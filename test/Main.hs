@@ -5,6 +5,7 @@ import qualified BlackHole.Light.BlackBodySpec
 import qualified BlackHole.Light.BlackBodyTableSpec
 import qualified BlackHole.Light.CieSpec
 import qualified BlackHole.Light.RadianceSpec
+import qualified BlackHole.Physics.ThinDiskSpec
 import qualified BlackHole.Vector.XYZSpec
 import Test.Hspec
 
@@ -14,4 +15,5 @@ main = hspec $ do
   describe "BlackHole.Light.BlackBodyTable" BlackHole.Light.BlackBodyTableSpec.spec
   describe "BlackHole.Light.Cie" BlackHole.Light.CieSpec.spec
   describe "BlackHole.Light.Radiance" BlackHole.Light.RadianceSpec.spec
+  describe "BlackHole.Physics.ThinDisk" BlackHole.Physics.ThinDiskSpec.spec
   describe "BlackHole.Vector.XYZ" BlackHole.Vector.XYZSpec.spec
