@@ -5,6 +5,8 @@ import qualified BlackHole.Light.BlackBodySpec
 import qualified BlackHole.Light.BlackBodyTableSpec
 import qualified BlackHole.Light.CieSpec
 import qualified BlackHole.Light.RadianceSpec
+import qualified BlackHole.Physics.GasMotionSpec
+import qualified BlackHole.Physics.RedshiftSpec
 import qualified BlackHole.Physics.ThinDiskSpec
 import qualified BlackHole.Vector.XYZSpec
 import Test.Hspec
@@ -15,5 +17,7 @@ main = hspec $ do
   describe "BlackHole.Light.BlackBodyTable" BlackHole.Light.BlackBodyTableSpec.spec
   describe "BlackHole.Light.Cie" BlackHole.Light.CieSpec.spec
   describe "BlackHole.Light.Radiance" BlackHole.Light.RadianceSpec.spec
+  describe "BlackHole.Physics.GasMotion" BlackHole.Physics.GasMotionSpec.spec
+  describe "BlackHole.Physics.Redshift" BlackHole.Physics.RedshiftSpec.spec
   describe "BlackHole.Physics.ThinDisk" BlackHole.Physics.ThinDiskSpec.spec
   describe "BlackHole.Vector.XYZ" BlackHole.Vector.XYZSpec.spec
