@@ -2,6 +2,7 @@
 module Main (main) where
 
 import Criterion.Main (defaultMain)
+import qualified LightBench
 
 main :: IO ()
-main = defaultMain []
+main = defaultMain [LightBench.benchmarks]

@@ -1,5 +1,3 @@
-{-# LANGUAGE BangPatterns #-}
-
 -- | The thin accretion disk of Page and Thorne around a hole that does not
 -- rotate: how much each ring radiates if no torque acts at the innermost
 -- stable orbit. Radii are in Schwarzschild radii.
@@ -56,16 +54,15 @@ peakFlux = 1.1458947324417218e-4
 relativeTemperature :: Double -> Double
 relativeTemperature r = min 1 (sqrt (sqrt (pageThorneFlux r / peakFlux)))
 
--- | ln(1+t) − t for t ≥ 0, with a small relative error also at small t, where
--- the series −t²/2 + t³/3 − … takes over (19 terms leave less than 1e-17 of
--- the sum at its border).
+-- | ln(1+t) − t for t ≥ 0, with a small relative error also at small t. There
+-- the logarithm is 2 artanh w = 2w + 2w³/3 + 2w⁵/5 + …, w = t/(2+t), and
+-- 2w − t = −tw takes the difference out; the terms left off are below 1e-17 of
+-- the sum where the two branches meet.
 log1pMinus :: Double -> Double
 log1pMinus t
-  | t > 0.125 = log1p t - t
-  | otherwise = t * t * go 20 0
+  | t > 0.25 = log1p t - t
+  | otherwise = w * (2 * q * series - t)
   where
-    go :: Int -> Double -> Double
-    go n !s
-      | n < 2 = s
-      | otherwise = go (n - 1) (sign n / fromIntegral n + t * s)
-    sign n = if even n then -1 else 1
+    w = t / (2 + t)
+    q = w * w
+    series = foldr (\n s -> 1 / n + q * s) 0 [3, 5, 7, 9, 11, 13, 15, 17]
