@@ -2,6 +2,8 @@
 module Main (main) where
 
 import Criterion.Main (defaultMain)
+import qualified LightBench
+import qualified NoiseBench
 
 main :: IO ()
-main = defaultMain []
+main = defaultMain [LightBench.benchmarks, NoiseBench.benchmarks]
