@@ -261,6 +261,8 @@ build_program() {
   sources=$(program_state)
   if [ -x "$build/bin/blackhole" ]; then
     say 'building'
+  elif [ "$way" = stack ]; then
+    say "building (the first time, Stack may fetch GHC and the libraries: half an hour; see $log)"
   else
     say 'building (the first time takes about 3 minutes)'
   fi
