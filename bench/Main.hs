@@ -2,8 +2,18 @@
 module Main (main) where
 
 import Criterion.Main (defaultMain)
+import qualified FrameBench
 import qualified LightBench
 import qualified NoiseBench
+import qualified OrbitBench
+import qualified PathBench
 
 main :: IO ()
-main = defaultMain [LightBench.benchmarks, NoiseBench.benchmarks]
+main =
+  defaultMain
+    [ NoiseBench.benchmarks,
+      OrbitBench.benchmarks,
+      PathBench.benchmarks,
+      LightBench.benchmarks,
+      FrameBench.benchmarks
+    ]
