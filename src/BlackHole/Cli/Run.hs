@@ -13,6 +13,7 @@ import BlackHole.Image.Png (encodePicture)
 import BlackHole.Render.Film
 import BlackHole.Render.PixelArray (backendName)
 import BlackHole.Render.Workers
+import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Validate
 import Control.Exception (SomeAsyncException (..), SomeException, displayException, fromException, throwIO, try)
@@ -21,7 +22,7 @@ import Data.Version (showVersion)
 import qualified Paths_blackhole as Package
 import System.Exit (ExitCode (..))
 import System.FilePath (takeExtension)
-import System.IO (hPutStrLn, stderr)
+import System.IO (hIsTerminalDevice, hPutStr, hPutStrLn, stderr)
 import System.Info (compilerName, compilerVersion)
 
 -- | How a run ended.
@@ -96,7 +97,9 @@ render options
                Nothing <- [workers n]
            ]
     renderTo crew scene = do
-      exposed <- exposeFilm crew (const (pure ())) scene
+      interactive <- hIsTerminalDevice stderr
+      let rows = pictureHeight (scenePicture scene)
+      exposed <- exposeFilm crew (if interactive then tellProgress rows else const (pure ())) scene
       case exposed of
         Nothing -> complain InternalFault "the scene passed its checks but can't be traced"
         Just film -> do
@@ -109,6 +112,12 @@ render options
           case written of
             Left problem -> complain CannotWrite ("--output: " ++ renderWriteProblem problem)
             Right () -> pure Done
+
+-- | How much is done, on one line that is cleared at the end.
+tellProgress :: Int -> Int -> IO ()
+tellProgress rows done
+  | done >= rows = hPutStr stderr "\r\ESC[K"
+  | otherwise = hPutStr stderr ("\rrendering: " ++ show (100 * done `quot` rows) ++ " %")
 
 complainAll :: ExitStatus -> [Problem] -> IO ExitStatus
 complainAll status problems = status <$ mapM_ (complain status . renderProblem) problems
