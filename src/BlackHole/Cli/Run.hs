@@ -4,10 +4,12 @@ module BlackHole.Cli.Run
     ExitStatus (..),
     exitCode,
     versionLine,
+    selfTestStatus,
   )
 where
 
 import BlackHole.Cli.Options
+import BlackHole.Cli.SelfTest (runSelfTest)
 import BlackHole.Image.AtomicFile
 import BlackHole.Image.Png (encodePicture)
 import BlackHole.Render.Film
@@ -16,6 +18,7 @@ import BlackHole.Render.Workers
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Validate
+import BlackHole.SelfTest.Check (Check, checkHolds)
 import Control.Exception (SomeAsyncException (..), SomeException, displayException, fromException, throwIO, try)
 import Data.Char (toLower)
 import Data.Version (showVersion)
@@ -73,6 +76,13 @@ dispatch arguments = case parseArguments versionLine arguments of
   Inform text -> Done <$ putStrLn text
   Misused line -> complain UsageError (line ++ " (see: blackhole --help)")
   Run (Render options) -> render options
+  Run (SelfTest options) -> selfTestStatus <$> runSelfTest options
+
+-- | A check that does not hold is a fault of the program.
+selfTestStatus :: [Check] -> ExitStatus
+selfTestStatus checks
+  | all checkHolds checks = Done
+  | otherwise = InternalFault
 
 -- | One picture, from options to file.
 render :: RenderOptions -> IO ExitStatus
