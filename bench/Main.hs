@@ -2,6 +2,10 @@
 module Main (main) where
 
 import Criterion.Main (defaultMain)
+import OrbitBench (orbitBenchmarks)
 
 main :: IO ()
-main = defaultMain []
+main =
+  defaultMain
+    [ orbitBenchmarks
+    ]
