@@ -2,10 +2,18 @@
 module Main (main) where
 
 import Criterion.Main (defaultMain)
-import OrbitBench (orbitBenchmarks)
+import qualified FrameBench
+import qualified LightBench
+import qualified NoiseBench
+import qualified OrbitBench
+import qualified PathBench
 
 main :: IO ()
 main =
   defaultMain
-    [ orbitBenchmarks
+    [ NoiseBench.benchmarks,
+      OrbitBench.benchmarks,
+      PathBench.benchmarks,
+      LightBench.benchmarks,
+      FrameBench.benchmarks
     ]

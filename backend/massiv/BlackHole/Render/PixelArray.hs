@@ -1,0 +1,96 @@
+{-# LANGUAGE RankNTypes #-}
+
+-- | Arrays of pixels, filled row by row on several threads.
+--
+-- This is the back end on massiv's arrays and scheduler; the one on plain
+-- storable vectors exports the same names with the same meaning.
+module BlackHole.Render.PixelArray
+  ( PixelArray,
+    backendName,
+    pixelArrayShape,
+    generateRows,
+    fromPixelVector,
+    toPixelVector,
+  )
+where
+
+import BlackHole.Render.PixelShape (PixelShape, shapeChannels, shapeHeight, shapeRowLength, shapeWidth)
+import BlackHole.Render.RowCount (withRowCount)
+import BlackHole.Render.Workers (Workers, workersCount)
+import Control.Monad.ST (ST, stToIO)
+import Data.Foldable (for_)
+import Data.Massiv.Array (Array, Comp (ParN, Seq), Ix3, S, Storable, Sz (Sz3))
+import qualified Data.Massiv.Array as Massiv
+import Data.Massiv.Array.Manifest.Vector (castFromVector)
+import Data.Vector.Storable (Vector)
+import Data.Vector.Storable.Mutable (MVector)
+import qualified Data.Vector.Storable.Mutable as MVector
+
+-- | An immutable array of pixels in the order of
+-- "BlackHole.Render.PixelShape". The film of linear light is a
+-- @PixelArray Float@ with three channels.
+data PixelArray e = PixelArray !PixelShape !(Array S Ix3 e)
+
+-- | Which back end this is: @"vector"@ or @"massiv"@.
+backendName :: String
+backendName = "massiv"
+
+-- | Width, height and channels.
+pixelArrayShape :: PixelArray e -> PixelShape
+pixelArrayShape (PixelArray shape _) = shape
+
+-- | @generateRows workers progress shape fillRow@ makes an array by running
+-- @fillRow y row@ once for each row @y@, from 0 at the top to height − 1.
+-- @row@ is that row's part of the array, width × channels numbers that are
+-- zero until written.
+--
+-- Each of the workers takes the next row as soon as it is free, so rows of
+-- unequal cost keep all of them busy. The contents do not depend on the number
+-- of workers. How many run at the same time is the matter of
+-- 'BlackHole.Render.Workers.withWorkers'.
+--
+-- @progress@ is called by one thread with growing counts of finished rows, at
+-- last with the height; counts are skipped while a call is running.
+--
+-- An exception in a row or in @progress@ stops all workers and is rethrown
+-- here; so is an exception thrown to the caller (an interrupt, a time limit).
+-- Workers then give up in the midst of their rows. Only a row that allocates
+-- no memory at all can't be interrupted and is finished first.
+--
+-- Beyond the array, memory is a small constant per row at most.
+generateRows ::
+  Storable e =>
+  Workers ->
+  (Int -> IO ()) ->
+  PixelShape ->
+  (forall s. Int -> MVector s e -> ST s ()) ->
+  IO (PixelArray e)
+generateRows crew progress shape fillRow =
+  withRowCount (shapeHeight shape) progress $ \rowFinished ->
+    PixelArray shape
+      <$> Massiv.createArray_
+        (ParN (fromIntegral (workersCount crew)))
+        (massivSize shape)
+        ( \scheduler pixels ->
+            for_ [0 .. shapeHeight shape - 1] $ \y ->
+              Massiv.scheduleWork_ scheduler $ do
+                stToIO . fillRow y $
+                  MVector.slice
+                    (y * shapeRowLength shape)
+                    (shapeRowLength shape)
+                    (Massiv.toStorableMVector pixels)
+                rowFinished
+        )
+
+-- | An array of the given shape on the vector's own memory, without copying;
+-- 'Nothing' if the vector's length is another than the shape's.
+fromPixelVector :: Storable e => PixelShape -> Vector e -> Maybe (PixelArray e)
+fromPixelVector shape =
+  fmap (PixelArray shape) . castFromVector Seq (massivSize shape)
+
+-- | All numbers in order, without copying.
+toPixelVector :: PixelArray e -> Vector e
+toPixelVector (PixelArray _ pixels) = Massiv.toStorableVector pixels
+
+massivSize :: PixelShape -> Sz Ix3
+massivSize shape = Sz3 (shapeHeight shape) (shapeWidth shape) (shapeChannels shape)

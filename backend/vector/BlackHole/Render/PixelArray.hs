@@ -1,0 +1,114 @@
+{-# LANGUAGE RankNTypes #-}
+
+-- | Arrays of pixels, filled row by row on several threads.
+--
+-- This is the back end on plain storable vectors with a shared row counter;
+-- the one on massiv exports the same names with the same meaning.
+module BlackHole.Render.PixelArray
+  ( PixelArray,
+    backendName,
+    pixelArrayShape,
+    generateRows,
+    fromPixelVector,
+    toPixelVector,
+  )
+where
+
+import BlackHole.Render.PixelShape (PixelShape, shapeHeight, shapeLength, shapeRowLength)
+import BlackHole.Render.RowCount (withRowCount)
+import BlackHole.Render.Workers (Workers, workersCount)
+import Control.Concurrent.Async (waitAny, withAsyncOn)
+import Control.Exception (onException)
+import Control.Monad (when)
+import Control.Monad.ST (ST, stToIO)
+import Data.IORef (atomicModifyIORef', atomicWriteIORef, newIORef)
+import Data.Vector.Storable (Storable, Vector)
+import qualified Data.Vector.Storable as Vector
+import Data.Vector.Storable.Mutable (MVector)
+import qualified Data.Vector.Storable.Mutable as MVector
+
+-- | An immutable array of pixels in the order of
+-- "BlackHole.Render.PixelShape". The film of linear light is a
+-- @PixelArray Float@ with three channels.
+data PixelArray e = PixelArray !PixelShape !(Vector e)
+
+-- | Which back end this is: @"vector"@ or @"massiv"@.
+backendName :: String
+backendName = "vector"
+
+-- | Width, height and channels.
+pixelArrayShape :: PixelArray e -> PixelShape
+pixelArrayShape (PixelArray shape _) = shape
+
+-- | @generateRows workers progress shape fillRow@ makes an array by running
+-- @fillRow y row@ once for each row @y@, from 0 at the top to height − 1.
+-- @row@ is that row's part of the array, width × channels numbers that are
+-- zero until written.
+--
+-- Each of the workers takes the next row as soon as it is free, so rows of
+-- unequal cost keep all of them busy. The contents do not depend on the number
+-- of workers. How many run at the same time is the matter of
+-- 'BlackHole.Render.Workers.withWorkers'.
+--
+-- @progress@ is called by one thread with growing counts of finished rows, at
+-- last with the height; counts are skipped while a call is running.
+--
+-- An exception in a row or in @progress@ stops all workers and is rethrown
+-- here; so is an exception thrown to the caller (an interrupt, a time limit).
+-- Workers then give up in the midst of their rows. Only a row that allocates
+-- no memory at all can't be interrupted and is finished first.
+--
+-- Beyond the array, memory is a small constant per row at most.
+generateRows ::
+  Storable e =>
+  Workers ->
+  (Int -> IO ()) ->
+  PixelShape ->
+  (forall s. Int -> MVector s e -> ST s ()) ->
+  IO (PixelArray e)
+generateRows crew progress shape fillRow = do
+  pixels <- MVector.new (shapeLength shape)
+  nextRow <- newIORef 0
+  let worker :: IO () -> IO ()
+      worker rowFinished = do
+        y <- atomicModifyIORef' nextRow $ \next -> (next + 1, next)
+        when (y < shapeHeight shape) $ do
+          stToIO . fillRow y $
+            MVector.slice (y * shapeRowLength shape) (shapeRowLength shape) pixels
+          rowFinished
+          worker rowFinished
+      -- So that nobody begins another row while the first to be stopped ends
+      -- its own.
+      noMoreRows = atomicWriteIORef nextRow (shapeHeight shape)
+  withRowCount (shapeHeight shape) progress $ \rowFinished ->
+    runCopies (workersCount crew) (worker rowFinished) noMoreRows
+  PixelArray shape <$> Vector.unsafeFreeze pixels
+
+-- | @runCopies n job failing@ runs a job in n threads at once and waits for all
+-- of them. After an exception of one of them or of the caller, it runs
+-- @failing@, stops the others and rethrows.
+--
+-- Each thread is bound to a processor: the scheduler, left to itself, often
+-- keeps all threads on one as long as they allocate nothing (measured: no
+-- speed-up from two processors in half of the runs).
+runCopies :: Int -> IO () -> IO () -> IO ()
+runCopies n job failing = start 0 []
+  where
+    start i running
+      | i < n = withAsyncOn i job $ \copy -> start (i + 1) (copy : running)
+      | otherwise = await running `onException` failing
+    await [] = pure ()
+    await running = do
+      (done, ()) <- waitAny running
+      await (filter (/= done) running)
+
+-- | An array of the given shape on the vector's own memory, without copying;
+-- 'Nothing' if the vector's length is another than the shape's.
+fromPixelVector :: Storable e => PixelShape -> Vector e -> Maybe (PixelArray e)
+fromPixelVector shape pixels
+  | Vector.length pixels == shapeLength shape = Just (PixelArray shape pixels)
+  | otherwise = Nothing
+
+-- | All numbers in order, without copying.
+toPixelVector :: PixelArray e -> Vector e
+toPixelVector (PixelArray _ pixels) = pixels

@@ -1,0 +1,117 @@
+-- | What the program does: from its arguments to its exit code.
+module BlackHole.Cli.Run
+  ( run,
+    ExitStatus (..),
+    exitCode,
+    versionLine,
+  )
+where
+
+import BlackHole.Cli.Options
+import BlackHole.Image.AtomicFile
+import BlackHole.Image.Png (encodePicture)
+import BlackHole.Render.Film
+import BlackHole.Render.PixelArray (backendName)
+import BlackHole.Render.Workers
+import BlackHole.Scene.Scene
+import BlackHole.Scene.Validate
+import Control.Exception (SomeAsyncException (..), SomeException, displayException, fromException, throwIO, try)
+import Data.Char (toLower)
+import Data.Version (showVersion)
+import qualified Paths_blackhole as Package
+import System.Exit (ExitCode (..))
+import System.FilePath (takeExtension)
+import System.IO (hPutStrLn, stderr)
+import System.Info (compilerName, compilerVersion)
+
+-- | How a run ended.
+data ExitStatus
+  = -- | All went well.
+    Done
+  | -- | The program itself is at fault.
+    InternalFault
+  | -- | The arguments are wrong.
+    UsageError
+  | -- | The scene, or a file to read, is wrong.
+    BadInput
+  | -- | The result can't be written.
+    CannotWrite
+  deriving (Eq, Show, Enum, Bounded)
+
+-- | The table of exit codes.
+exitCode :: ExitStatus -> ExitCode
+exitCode status = case status of
+  Done -> ExitSuccess
+  InternalFault -> ExitFailure 1
+  UsageError -> ExitFailure 2
+  BadInput -> ExitFailure 3
+  CannotWrite -> ExitFailure 4
+
+-- | Name, version, compiler and array back end.
+versionLine :: String
+versionLine =
+  programName ++ " (" ++ compilerName ++ "-" ++ showVersion compilerVersion ++ ", " ++ backendName ++ " arrays)"
+
+-- | Name and version alone: what a picture file says of its origin.
+programName :: String
+programName = "blackhole " ++ showVersion Package.version
+
+-- | Run the program on its arguments. Everything that can go wrong is one line
+-- on standard error and an exit code.
+run :: [String] -> IO ExitCode
+run arguments = do
+  outcome <- try (dispatch arguments)
+  case outcome of
+    Right status -> pure (exitCode status)
+    Left failure
+      | Just (SomeAsyncException _) <- fromException failure -> throwIO failure
+      | otherwise -> exitCode <$> complain InternalFault (unwords (lines (displayException (failure :: SomeException))))
+
+dispatch :: [String] -> IO ExitStatus
+dispatch arguments = case parseArguments versionLine arguments of
+  Inform text -> Done <$ putStrLn text
+  Misused line -> complain UsageError (line ++ " (see: blackhole --help)")
+  Run (Render options) -> render options
+
+-- | One picture, from options to file.
+render :: RenderOptions -> IO ExitStatus
+render options
+  | problem : problems <- usageProblems = complainAll UsageError (problem : problems)
+  | otherwise = case resolveScene options of
+    Left problems -> complainAll BadInput problems
+    Right scene -> do
+      crew <- maybe defaultWorkers pure (workers =<< renderThreads options)
+      writable <- checkWritable output
+      case writable of
+        Left problem -> complain CannotWrite ("--output: " ++ renderWriteProblem problem)
+        Right () -> withWorkers crew (renderTo crew scene)
+  where
+    output = renderOutput options
+    usageProblems =
+      [ Problem "--output" ("'" ++ output ++ "'") "a file name that ends in .png"
+        | map toLower (takeExtension output) /= ".png"
+      ]
+        ++ [ Problem "--threads" (show n) ("a whole number from 1 to " ++ show maximumWorkers)
+             | Just n <- [renderThreads options],
+               Nothing <- [workers n]
+           ]
+    renderTo crew scene = do
+      exposed <- exposeFilm crew (const (pure ())) scene
+      case exposed of
+        Nothing -> complain InternalFault "the scene passed its checks but can't be traced"
+        Just film -> do
+          case faultyPixels film of
+            (n, Just (x, y)) ->
+              hPutStrLn stderr ("blackhole: warning: " ++ show n ++ " pixels have no finite radiance, the first at " ++ show x ++ "," ++ show y)
+            _ -> pure ()
+          picture <- developFilm crew (sceneExposure scene) (sceneToneMap scene) film
+          written <- writeFileAtomically output (encodePicture programName picture)
+          case written of
+            Left problem -> complain CannotWrite ("--output: " ++ renderWriteProblem problem)
+            Right () -> pure Done
+
+complainAll :: ExitStatus -> [Problem] -> IO ExitStatus
+complainAll status problems = status <$ mapM_ (complain status . renderProblem) problems
+
+complain :: ExitStatus -> String -> IO ExitStatus
+complain status line = status <$ hPutStrLn stderr ("blackhole: " ++ line)

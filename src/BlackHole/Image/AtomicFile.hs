@@ -1,0 +1,188 @@
+-- | Files that appear only when they are complete.
+--
+-- The bytes go to a temporary file in the target's folder, which is then
+-- renamed to the target. Whoever looks at the target sees the former file or
+-- the whole new one, also when the program is interrupted or the disk is full.
+-- Only a program that is killed outright while it writes leaves its temporary
+-- file behind, named @.blackhole-….part@. (The bytes are not forced out of the
+-- system's cache: a picture lost in a power cut can be rendered again, and
+-- waiting for the disk would take a library for each platform.)
+module BlackHole.Image.AtomicFile
+  ( writeFileAtomically,
+    checkWritable,
+    WriteProblem (..),
+    renderWriteProblem,
+  )
+where
+
+import Control.Exception (catch, mask, mask_, onException, try)
+import qualified Data.ByteString.Lazy as Lazy
+import Data.Char (isControl)
+import Data.List (isPrefixOf)
+import GHC.IO.Device (IODeviceType (..))
+import GHC.IO.Exception (IOException (..))
+import System.Directory
+  ( copyPermissions,
+    doesDirectoryExist,
+    getPermissions,
+    getSymbolicLinkTarget,
+    pathIsSymbolicLink,
+    removeFile,
+    renameFile,
+    writable,
+  )
+import System.FilePath (takeDirectory, (</>))
+import System.IO
+  ( Handle,
+    IOMode (AppendMode),
+    hClose,
+    openBinaryTempFileWithDefaultPermissions,
+    withBinaryFile,
+  )
+import System.IO.Error (isDoesNotExistError)
+import System.Posix.Internals (fileType)
+
+-- | Why a file can't be written. The first path is the one that was asked for.
+data WriteProblem
+  = -- | The path has no characters.
+    EmptyPath
+  | -- | The path names a folder.
+    TargetIsFolder FilePath
+  | -- | The file exists and this user may not write to it.
+    TargetIsProtected FilePath
+  | -- | The file's folder, the second path, does not exist.
+    FolderMissing FilePath FilePath
+  | -- | No file can be made in the folder, the second path, for the reason that
+    -- the system gives.
+    FolderNotWritable FilePath FilePath String
+  | -- | Anything else, with the reason that the system gives: disk full, name
+    -- too long, …
+    SystemRefused FilePath String
+  deriving (Eq, Show)
+
+-- | The problem in one line, without a final period.
+renderWriteProblem :: WriteProblem -> String
+renderWriteProblem problem = map plain $ case problem of
+  EmptyPath -> "cannot write a file with an empty name"
+  TargetIsFolder path -> cannot path "it is a folder"
+  TargetIsProtected path -> cannot path "the file is write-protected"
+  FolderMissing path folder -> cannot path $ "there is no folder " ++ folder
+  FolderNotWritable path folder reason ->
+    cannot path $ "no file can be made in the folder " ++ folder ++ " (" ++ reason ++ ")"
+  SystemRefused path reason -> cannot path reason
+  where
+    cannot path reason = "cannot write " ++ path ++ ": " ++ reason
+    plain c = if isControl c then '?' else c
+
+-- | Write a file as a whole or not at all.
+--
+-- An existing file is replaced and its permissions are kept; a new one gets
+-- those that the user's file mask grants. Through a symbolic link, the file it
+-- leads to is replaced or made, and the link stays. Devices, pipes and
+-- @\/dev\/stdout@ can't be replaced: the bytes are written to them directly.
+--
+-- Problems of the file system are returned, the target then being what it was.
+-- Any other exception, be it from the evaluation of the bytes or thrown to this
+-- thread, removes the temporary file and is rethrown.
+writeFileAtomically :: FilePath -> Lazy.ByteString -> IO (Either WriteProblem ())
+writeFileAtomically path bytes = locate path >>= either (pure . Left) write
+  where
+    write (Direct device) =
+      refusalOf path $ withBinaryFile device AppendMode (`Lazy.hPut` bytes)
+    write (Replaced target) = mask $ \restore -> do
+      opened <- openTemporary path target
+      either (pure . Left) (refusalOf path . fill restore target) opened
+    fill :: (IO () -> IO ()) -> FilePath -> (FilePath, Handle) -> IO ()
+    fill restore target (temporary, handle) =
+      replace `onException` discard temporary handle
+      where
+        replace = do
+          -- Before the first byte, for a private file's sake. Some file systems
+          -- have no permissions to set, which is no reason to lose a picture.
+          ignoringRefusal $ copyPermissions target temporary
+          restore (Lazy.hPut handle bytes)
+          hClose handle
+          renameFile temporary target
+
+-- | Find out whether 'writeFileAtomically' can make this file, as far as that
+-- can be known beforehand (a disk may fill up later). Leaves no file behind and
+-- does not touch an existing one.
+checkWritable :: FilePath -> IO (Either WriteProblem ())
+checkWritable path = locate path >>= either (pure . Left) probe
+  where
+    probe (Direct _) = pure (Right ())
+    probe (Replaced target) =
+      mask_ $ openTemporary path target >>= traverse (uncurry discard)
+
+data Destination
+  = Replaced FilePath
+  | Direct FilePath
+
+locate :: FilePath -> IO (Either WriteProblem Destination)
+locate path
+  | null path = pure (Left EmptyPath)
+  | '\0' `elem` path = pure (Left (SystemRefused path "the name contains a NUL character"))
+  | otherwise = do
+    found <- try (fileType path)
+    case found of
+      Right Directory -> pure (Left (TargetIsFolder path))
+      Right RegularFile -> followLinks path >>= existing
+      Right _ -> existing (Right (Direct path))
+      Left refusal
+        | isDoesNotExistError refusal -> followLinks path >>= either (pure . Left) new
+        | otherwise -> pure (Left (SystemRefused path (reasonOf refusal)))
+  where
+    existing (Left problem) = pure (Left problem)
+    existing (Right destination) = do
+      permitted <- refusalOf path $ writable <$> getPermissions path
+      pure $ permitted >>= \yes -> if yes then Right destination else Left (TargetIsProtected path)
+    new destination@(Replaced target) = do
+      exists <- doesDirectoryExist (takeDirectory target)
+      pure $ if exists then Right destination else Left (FolderMissing path (takeDirectory target))
+    new destination = pure (Right destination)
+
+-- A process's own open files look like links to a regular file when the shell
+-- has redirected them, but to replace that file would cut off the shell's end.
+followLinks :: FilePath -> IO (Either WriteProblem Destination)
+followLinks path = go (40 :: Int) path
+  where
+    go hops at
+      | any (`isPrefixOf` at) ["/proc/", "/dev/fd/"] = pure (Right (Direct path))
+      | hops == 0 = pure (Left (SystemRefused path "too many symbolic links"))
+      | otherwise = do
+        next <- try (isLink at) :: IO (Either IOException (Maybe FilePath))
+        case next of
+          Right (Just target) -> go (hops - 1) (takeDirectory at </> target)
+          _ -> pure (Right (Replaced at))
+    isLink at = do
+      link <- pathIsSymbolicLink at
+      if link then Just <$> getSymbolicLinkTarget at else pure Nothing
+
+-- The name is short and not made from the target's, which may be as long as
+-- the file system allows.
+openTemporary :: FilePath -> FilePath -> IO (Either WriteProblem (FilePath, Handle))
+openTemporary path target = do
+  opened <- try (openBinaryTempFileWithDefaultPermissions folder ".blackhole-.part")
+  pure $ case opened of
+    Left refusal -> Left (FolderNotWritable path folder (reasonOf refusal))
+    Right temporary -> Right temporary
+  where
+    folder = takeDirectory target
+
+discard :: FilePath -> Handle -> IO ()
+discard temporary handle =
+  ignoringRefusal (hClose handle) >> ignoringRefusal (removeFile temporary)
+
+ignoringRefusal :: IO () -> IO ()
+ignoringRefusal action = action `catch` ignored
+  where
+    ignored :: IOException -> IO ()
+    ignored _ = pure ()
+
+refusalOf :: FilePath -> IO a -> IO (Either WriteProblem a)
+refusalOf path action = either (Left . SystemRefused path . reasonOf) Right <$> try action
+
+reasonOf :: IOException -> String
+reasonOf refusal
+  | null (ioe_description refusal) = show (ioe_type refusal)
+  | otherwise = ioe_description refusal

@@ -1,0 +1,74 @@
+-- | Light as the film adds it up: linear radiance in the Rec. 709 primaries.
+module BlackHole.Light.Radiance
+  ( Radiance (..),
+    black,
+    grey,
+    (<+>),
+    scaleRadiance,
+    mapRadiance,
+    luminance,
+    isFiniteRadiance,
+  )
+where
+
+infixl 6 <+>
+
+-- | Linear radiance: the amounts of the red, green and blue primaries of
+-- ITU-R BT.709 (the primaries and the D65 white of sRGB too), not yet coded
+-- for a display. The unit is the scene's own: exposure fixes what is white.
+-- Any value from 0 up is meaningful; equal amounts are white.
+data Radiance
+  = Radiance
+      {-# UNPACK #-} !Double
+      {-# UNPACK #-} !Double
+      {-# UNPACK #-} !Double
+  deriving (Eq, Ord, Show, Read)
+
+-- | Light adds.
+instance Semigroup Radiance where
+  (<>) = (<+>)
+  {-# INLINE (<>) #-}
+
+instance Monoid Radiance where
+  mempty = black
+  {-# INLINE mempty #-}
+
+-- | No light.
+black :: Radiance
+black = Radiance 0 0 0
+
+-- | White light of the given luminance.
+grey :: Double -> Radiance
+grey v = Radiance v v v
+{-# INLINE grey #-}
+
+-- | Sum of two lights; the operator of the 'Semigroup'.
+(<+>) :: Radiance -> Radiance -> Radiance
+Radiance r g b <+> Radiance r' g' b' = Radiance (r + r') (g + g') (b + b')
+{-# INLINE (<+>) #-}
+
+-- | The same light, as many times as strong.
+scaleRadiance :: Double -> Radiance -> Radiance
+scaleRadiance k (Radiance r g b) = Radiance (k * r) (k * g) (k * b)
+{-# INLINE scaleRadiance #-}
+
+-- | Apply a function to each of the three amounts.
+mapRadiance :: (Double -> Double) -> Radiance -> Radiance
+mapRadiance f (Radiance r g b) = Radiance (f r) (f g) (f b)
+{-# INLINE mapRadiance #-}
+
+-- | CIE luminance Y, 1 for @grey 1@. The weights follow from the primaries
+-- and the white of BT.709 and are what that standard rounds to 0.2126,
+-- 0.7152 and 0.0722; unrounded, they agree with "BlackHole.Light.Cie" to
+-- rounding.
+luminance :: Radiance -> Double
+luminance (Radiance r g b) =
+  0.21263900587151027 * r + 0.715168678767756 * g + 0.07219231536073371 * b
+{-# INLINE luminance #-}
+
+-- | Whether all three amounts are finite numbers.
+isFiniteRadiance :: Radiance -> Bool
+isFiniteRadiance (Radiance r g b) = finite r && finite g && finite b
+  where
+    finite a = not (isNaN a || isInfinite a)
+{-# INLINE isFiniteRadiance #-}

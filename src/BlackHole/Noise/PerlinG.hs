@@ -1,0 +1,367 @@
+-- | Gradient noise (Perlin 1985, "An image synthesizer", with the smoother
+-- weights of Perlin 2002, "Improving noise") in the plane and in space, on
+-- the multi-level grid of "BlackHole.Noise.Lattice".
+--
+-- Every lattice point has a random direction, the gradient, which comes from
+-- the hash of the point under the seed. Each corner of a cell stands for a
+-- linear function that is 0 at the corner and rises along the corner's
+-- gradient; the noise is the mean of these functions, weighted by polynomials
+-- that give value, first and second derivative one limit from both sides of
+-- every cell border. So there are no seams: none between cells, none at zero
+-- or at powers of two, and none at the edge of the grid, which is a torus.
+--
+-- One level of noise is 0 at its lattice points, and a lattice point belongs
+-- to all finer levels as well: on a coarse lattice point (the origin is one)
+-- all finer levels vanish together. A caller whose subject sits there, or on
+-- a plane through such points, should shift it by a fraction of a cell that
+-- is not a power of two.
+--
+-- Nothing is stored for space: a sample costs four hashes (plane) or eight
+-- (space) for each level, wherever it is. Hash, gradient and interpolation are
+-- separate, so that a caller who remembers hashes gets the same bits.
+module BlackHole.Noise.PerlinG
+  ( -- * Noise
+    Seed (..),
+    noise2,
+    noise3,
+    perlin2,
+    perlin3,
+
+    -- * With the caller's hashes
+    noise2With,
+    noise3With,
+    perlin2With,
+    perlin3With,
+
+    -- * Parts
+    latticeHash2,
+    latticeHash3,
+    gradient2,
+    gradient3,
+    Corners2 (..),
+    Corners3 (..),
+    cornerHashes2,
+    cornerHashes3,
+    interpolate2,
+    interpolate3,
+  )
+where
+
+import BlackHole.Noise.Lattice
+  ( Cell2 (..),
+    Cell3 (..),
+    GridPlace2,
+    GridPlace3,
+    LatticePoint2,
+    LatticePoint3,
+    Level,
+    cellAround2,
+    cellAround3,
+    latticePoint2,
+    latticePoint3,
+    levelNumber,
+    onGrid2,
+    onGrid3,
+    pointLevel2,
+    pointLevel3,
+    pointX2,
+    pointX3,
+    pointY2,
+    pointY3,
+    pointZ3,
+  )
+import BlackHole.Noise.Profile (Profile, sumLayers)
+import BlackHole.Noise.SipHash (SipKey (..), sipHash2, sipHash3)
+import BlackHole.Vector.XY (XY (..))
+import qualified BlackHole.Vector.XY as XY
+import BlackHole.Vector.XYZ (XYZ (..))
+import qualified BlackHole.Vector.XYZ as XYZ
+import Data.Bits (unsafeShiftR)
+import Data.Functor.Identity (Identity (..))
+import Data.Primitive.PrimArray (PrimArray, indexPrimArray, primArrayFromList)
+import Data.Word (Word64)
+
+-- | What makes one noise field differ from another; any value is as good as
+-- any other. Fields of different seeds are independent.
+newtype Seed = Seed Word64
+  deriving (Eq, Ord, Show)
+
+-- | Noise of one level in the plane. Within −1 … 1 (the tight bound is
+-- 0.99999), mean 0, variance 1.4381² · 96835\/2081079 ≈ 0.0962; 0 at the
+-- level's lattice points, twice continuously differentiable, and of period
+-- 'BlackHole.Noise.Lattice.circumference' in each coordinate. 0 where a
+-- coordinate is not finite.
+noise2 :: Seed -> Level -> XY -> Double
+noise2 seed l v = maybe 0 (plainNoise2 seed l) (onGrid2 v)
+
+-- | Noise of one level in space. Within −1 … 1 (the tight bound is 0.99993),
+-- mean 0, variance 1.2625² · 17527135\/480729249 ≈ 0.0581; 0 at the level's
+-- lattice points, twice continuously differentiable, and of period
+-- 'BlackHole.Noise.Lattice.circumference' in each coordinate. 0 where a
+-- coordinate is not finite.
+noise3 :: Seed -> Level -> XYZ -> Double
+noise3 seed l v = maybe 0 (plainNoise3 seed l) (onGrid3 v)
+
+-- | Noise of a profile in the plane: the sum over the profile's levels of
+-- amplitude times 'noise2'. Within plus and minus
+-- 'BlackHole.Noise.Profile.profileBound'.
+perlin2 :: Seed -> Profile -> XY -> Double
+perlin2 seed p v = case onGrid2 v of
+  Nothing -> 0
+  Just place -> runIdentity (sumLayers (\l -> Identity (plainNoise2 seed l place)) p)
+
+-- | Noise of a profile in space: the sum over the profile's levels of
+-- amplitude times 'noise3'. Within plus and minus
+-- 'BlackHole.Noise.Profile.profileBound'.
+perlin3 :: Seed -> Profile -> XYZ -> Double
+perlin3 seed p v = case onGrid3 v of
+  Nothing -> 0
+  Just place -> runIdentity (sumLayers (\l -> Identity (plainNoise3 seed l place)) p)
+
+-- | 'noise2' with the caller's hash of lattice points, in any monad: the same
+-- bits wherever the hashes agree with 'latticeHash2'.
+noise2With :: Monad m => (LatticePoint2 -> m Word64) -> Level -> XY -> m Double
+noise2With hash l v = case onGrid2 v of
+  Nothing -> pure 0
+  Just place -> cellNoise2 hash l place
+{-# INLINE noise2With #-}
+
+-- | 'noise3' with the caller's hash of lattice points, in any monad: the same
+-- bits wherever the hashes agree with 'latticeHash3'.
+noise3With :: Monad m => (LatticePoint3 -> m Word64) -> Level -> XYZ -> m Double
+noise3With hash l v = case onGrid3 v of
+  Nothing -> pure 0
+  Just place -> cellNoise3 hash l place
+{-# INLINE noise3With #-}
+
+-- | 'perlin2' with the caller's hash of lattice points, in any monad.
+perlin2With :: Monad m => (LatticePoint2 -> m Word64) -> Profile -> XY -> m Double
+perlin2With hash p v = case onGrid2 v of
+  Nothing -> pure 0
+  Just place -> sumLayers (\l -> cellNoise2 hash l place) p
+{-# INLINE perlin2With #-}
+
+-- | 'perlin3' with the caller's hash of lattice points, in any monad.
+perlin3With :: Monad m => (LatticePoint3 -> m Word64) -> Profile -> XYZ -> m Double
+perlin3With hash p v = case onGrid3 v of
+  Nothing -> pure 0
+  Just place -> sumLayers (\l -> cellNoise3 hash l place) p
+{-# INLINE perlin3With #-}
+
+-- A call for each level: inlined, several copies of it are no faster.
+plainNoise2 :: Seed -> Level -> GridPlace2 -> Double
+plainNoise2 seed l place = runIdentity (cellNoise2 (Identity . latticeHash2 seed) l place)
+{-# NOINLINE plainNoise2 #-}
+
+cellNoise2 :: Monad m => (LatticePoint2 -> m Word64) -> Level -> GridPlace2 -> m Double
+cellNoise2 hash l place = interpolate2 cell <$> cornerHashes2 hash cell
+  where
+    cell = cellAround2 l place
+{-# INLINE cellNoise2 #-}
+
+-- A call for each level: inlined, several copies of it are no faster.
+plainNoise3 :: Seed -> Level -> GridPlace3 -> Double
+plainNoise3 seed l place = runIdentity (cellNoise3 (Identity . latticeHash3 seed) l place)
+{-# NOINLINE plainNoise3 #-}
+
+cellNoise3 :: Monad m => (LatticePoint3 -> m Word64) -> Level -> GridPlace3 -> m Double
+cellNoise3 hash l place = interpolate3 cell <$> cornerHashes3 hash cell
+  where
+    cell = cellAround3 l place
+{-# INLINE cellNoise3 #-}
+
+-- The two hashes are calls, so that an interpolation does not carry a copy of
+-- SipHash for each of its corners.
+
+-- | The random bits of a lattice point of the plane: SipHash-2-4 of its
+-- coordinates x, y. The key is the seed, then dimension · 256 + level, so that
+-- dimensions and levels are as independent as seeds.
+latticeHash2 :: Seed -> LatticePoint2 -> Word64
+latticeHash2 seed p =
+  sipHash2 (latticeKey seed 2 (pointLevel2 p)) (pointX2 p) (pointY2 p)
+{-# NOINLINE latticeHash2 #-}
+
+-- | The random bits of a lattice point of space: SipHash-2-4 of its
+-- coordinates x, y, z under the key of 'latticeHash2' with dimension 3.
+latticeHash3 :: Seed -> LatticePoint3 -> Word64
+latticeHash3 seed p =
+  sipHash3 (latticeKey seed 3 (pointLevel3 p)) (pointX3 p) (pointY3 p) (pointZ3 p)
+{-# NOINLINE latticeHash3 #-}
+
+latticeKey :: Seed -> Word64 -> Level -> SipKey
+latticeKey (Seed s) dimension l = SipKey s (256 * dimension + fromIntegral (levelNumber l))
+{-# INLINE latticeKey #-}
+
+-- | The hashes of a plane cell's corners, the x neighbour varying fastest.
+data Corners2
+  = Corners2
+      {-# UNPACK #-} !Word64
+      {-# UNPACK #-} !Word64
+      {-# UNPACK #-} !Word64
+      {-# UNPACK #-} !Word64
+  deriving (Eq, Show)
+
+-- | The hashes of a space cell's corners, the x neighbour varying fastest,
+-- then y, then z.
+data Corners3
+  = Corners3
+      {-# UNPACK #-} !Word64
+      {-# UNPACK #-} !Word64
+      {-# UNPACK #-} !Word64
+      {-# UNPACK #-} !Word64
+      {-# UNPACK #-} !Word64
+      {-# UNPACK #-} !Word64
+      {-# UNPACK #-} !Word64
+      {-# UNPACK #-} !Word64
+  deriving (Eq, Show)
+
+-- | Hash the four corners of a cell.
+cornerHashes2 :: Monad m => (LatticePoint2 -> m Word64) -> Cell2 -> m Corners2
+cornerHashes2 hash (Cell2 p _ _) = do
+  h00 <- hash p
+  h10 <- corner 1 0
+  h01 <- corner 0 1
+  h11 <- corner 1 1
+  pure (Corners2 h00 h10 h01 h11)
+  where
+    corner i j = hash (latticePoint2 (pointLevel2 p) (pointX2 p + i) (pointY2 p + j))
+    {-# INLINE corner #-}
+{-# INLINE cornerHashes2 #-}
+
+-- | Hash the eight corners of a cell.
+cornerHashes3 :: Monad m => (LatticePoint3 -> m Word64) -> Cell3 -> m Corners3
+cornerHashes3 hash (Cell3 p _ _ _) = do
+  h000 <- hash p
+  h100 <- corner 1 0 0
+  h010 <- corner 0 1 0
+  h110 <- corner 1 1 0
+  h001 <- corner 0 0 1
+  h101 <- corner 1 0 1
+  h011 <- corner 0 1 1
+  h111 <- corner 1 1 1
+  pure (Corners3 h000 h100 h010 h110 h001 h101 h011 h111)
+  where
+    corner i j k =
+      hash (latticePoint3 (pointLevel3 p) (pointX3 p + i) (pointY3 p + j) (pointZ3 p + k))
+    {-# INLINE corner #-}
+{-# INLINE cornerHashes3 #-}
+
+-- | The noise in a cell of the plane whose corners have these hashes.
+interpolate2 :: Cell2 -> Corners2 -> Double
+interpolate2 (Cell2 _ x y) (Corners2 h00 h10 h01 h11) =
+  -- The largest value before scaling is 0.695353, found by maximising over the
+  -- cell the weighted sum of the corners' largest contributions.
+  1.4381
+    * mix
+      (fade y)
+      (mix u (ramp h00 x y) (ramp h10 (x - 1) y))
+      (mix u (ramp h01 x (y - 1)) (ramp h11 (x - 1) (y - 1)))
+  where
+    u = fade x
+    ramp h a b = XY.dot (gradient2 h) (XY a b)
+    {-# INLINE ramp #-}
+{-# INLINE interpolate2 #-}
+
+-- | The noise in a cell of space whose corners have these hashes.
+interpolate3 :: Cell3 -> Corners3 -> Double
+interpolate3 (Cell3 _ x y z) (Corners3 h000 h100 h010 h110 h001 h101 h011 h111) =
+  -- The largest value before scaling is 0.792021, found as in the plane.
+  1.2625
+    * mix
+      (fade z)
+      ( mix
+          v
+          (mix u (ramp h000 x y z) (ramp h100 (x - 1) y z))
+          (mix u (ramp h010 x (y - 1) z) (ramp h110 (x - 1) (y - 1) z))
+      )
+      ( mix
+          v
+          (mix u (ramp h001 x y (z - 1)) (ramp h101 (x - 1) y (z - 1)))
+          (mix u (ramp h011 x (y - 1) (z - 1)) (ramp h111 (x - 1) (y - 1) (z - 1)))
+      )
+  where
+    u = fade x
+    v = fade y
+    ramp h a b c = XYZ.dot (gradient3 h) (XYZ a b c)
+    {-# INLINE ramp #-}
+{-# INLINE interpolate3 #-}
+
+-- | The weight of the far end of an edge: rises from 0 at 0 to 1 at 1, and its
+-- first two derivatives vanish at both (Perlin 2002).
+fade :: Double -> Double
+fade t = t * t * t * (t * (t * 6 - 15) + 10)
+{-# INLINE fade #-}
+
+mix :: Double -> Double -> Double -> Double
+mix t a b = a + t * (b - a)
+{-# INLINE mix #-}
+
+-- | The gradient that a hash stands for in the plane: one of the 16 unit
+-- vectors at odd multiples of 11.25°, equally likely. No edge of the lattice
+-- is at a right angle to any of them, so no edge stays flat, and all moments
+-- up to order 15 are those of a direction drawn from the whole circle.
+gradient2 :: Word64 -> XY
+gradient2 h = XY (indexPrimArray gradients2 i) (indexPrimArray gradients2 (i + 1))
+  where
+    i = 2 * fromIntegral (h `unsafeShiftR` 60)
+{-# INLINE gradient2 #-}
+
+-- | The gradient that a hash stands for in space: one of the 48 unit vectors
+-- whose components are ±0.2666…, ±0.4225…, ±0.8662… in any order, equally
+-- likely (to 1 in 2^32). The three squares are the roots of
+-- t³ − t² + t\/5 − 1\/105, which makes all moments up to order 7 those of a
+-- direction drawn from the whole sphere: no axis is favoured. No component is
+-- 0, so no edge of the lattice stays flat.
+gradient3 :: Word64 -> XYZ
+gradient3 h =
+  XYZ
+    (indexPrimArray gradients3 i)
+    (indexPrimArray gradients3 (i + 1))
+    (indexPrimArray gradients3 (i + 2))
+  where
+    -- The upper half of the hash as a fraction of 2^32, times 48.
+    i = 3 * fromIntegral (((h `unsafeShiftR` 32) * 48) `unsafeShiftR` 32)
+{-# INLINE gradient3 #-}
+
+-- | Components of the gradients of the plane, two by two.
+gradients2 :: PrimArray Double
+gradients2 =
+  primArrayFromList
+    [ component
+      | (a, b) <- [(cos11, sin11), (cos34, sin34), (sin34, cos34), (sin11, cos11)],
+        x <- [a, negate a],
+        y <- [b, negate b],
+        component <- [x, y]
+    ]
+  where
+    -- Sines and cosines of 11.25° and 33.75°, as literals: the system's
+    -- trigonometry may differ in the last bit between machines.
+    cos11 = 0.9807852804032304
+    sin11 = 0.19509032201612828
+    cos34 = 0.8314696123025452
+    sin34 = 0.5555702330196022
+{-# NOINLINE gradients2 #-}
+
+-- | Components of the gradients of space, three by three.
+gradients3 :: PrimArray Double
+gradients3 =
+  primArrayFromList
+    [ component
+      | (a, b, c) <-
+          [ (short, middle, long),
+            (short, long, middle),
+            (middle, short, long),
+            (middle, long, short),
+            (long, short, middle),
+            (long, middle, short)
+          ],
+        x <- [a, negate a],
+        y <- [b, negate b],
+        z <- [c, negate c],
+        component <- [x, y, z]
+    ]
+  where
+    short = 0.26663540151670473
+    middle = 0.42251865376111153
+    long = 0.8662468181078206
+{-# NOINLINE gradients3 #-}

@@ -1,0 +1,108 @@
+{-# LANGUAGE BangPatterns #-}
+
+-- | SipHash-2-4: a keyed hash of 64 bits whose values cannot be told from
+-- random ones without the key (Aumasson and Bernstein 2012, "SipHash: a fast
+-- short-input PRF"). The noise takes its random values from it, with the
+-- seed as the key (report, "Texture Generation").
+--
+-- 'sipHash' takes any byte string. 'sipHash2' and 'sipHash3' take a few
+-- 64-bit words, allocate nothing, and give the value that 'sipHash' gives
+-- for the words' bytes, least significant byte first.
+module BlackHole.Noise.SipHash
+  ( SipKey (..),
+    sipHash,
+    sipHash2,
+    sipHash3,
+  )
+where
+
+import Data.Bits (unsafeShiftL, unsafeShiftR, xor, (.|.))
+import qualified Data.ByteString as Bytes
+import Data.ByteString.Unsafe (unsafeIndex)
+import Data.Word (Word64)
+
+-- | The key of 128 bits: the first eight and the last eight of its bytes,
+-- each half read least significant byte first.
+data SipKey = SipKey {-# UNPACK #-} !Word64 {-# UNPACK #-} !Word64
+  deriving (Eq, Ord, Show)
+
+-- | The four words v0 … v3 that the algorithm stirs.
+data SipState
+  = SipState
+      {-# UNPACK #-} !Word64
+      {-# UNPACK #-} !Word64
+      {-# UNPACK #-} !Word64
+      {-# UNPACK #-} !Word64
+
+-- | The hash of a byte string of any length. Linear in the length.
+sipHash :: SipKey -> Bytes.ByteString -> Word64
+sipHash key bytes = go 0 (initial key)
+  where
+    len = Bytes.length bytes
+    go !start !state
+      | len - start >= 8 = go (start + 8) (absorb (word start 8) state)
+      | otherwise = finish (lengthByte .|. word start (len - start)) state
+    -- The last block ends with the length modulo 256.
+    lengthByte = fromIntegral len `unsafeShiftL` 56
+    -- The bytes from start, fewer than nine and inside the string.
+    word start count = gather 0 0
+      where
+        gather !i !acc
+          | i >= count = acc
+          | otherwise = gather (i + 1) (acc .|. (byteAt (start + i) `unsafeShiftL` (8 * i)))
+    byteAt i = fromIntegral (unsafeIndex bytes i) :: Word64
+
+-- | The hash of two words: of 16 bytes.
+sipHash2 :: SipKey -> Word64 -> Word64 -> Word64
+sipHash2 key a b =
+  finish (16 `unsafeShiftL` 56) (absorb b (absorb a (initial key)))
+
+-- | The hash of three words: of 24 bytes.
+sipHash3 :: SipKey -> Word64 -> Word64 -> Word64 -> Word64
+sipHash3 key a b c =
+  finish (24 `unsafeShiftL` 56) (absorb c (absorb b (absorb a (initial key))))
+
+-- | The state before the first word. The constants are the ASCII text
+-- "somepseudorandomlygeneratedbytes".
+initial :: SipKey -> SipState
+initial (SipKey k0 k1) =
+  SipState
+    (k0 `xor` 0x736f6d6570736575)
+    (k1 `xor` 0x646f72616e646f6d)
+    (k0 `xor` 0x6c7967656e657261)
+    (k1 `xor` 0x7465646279746573)
+{-# INLINE initial #-}
+
+-- | Mix in one word of the message: two rounds.
+absorb :: Word64 -> SipState -> SipState
+absorb m (SipState v0 v1 v2 v3) =
+  case sipRound (sipRound (SipState v0 v1 v2 (v3 `xor` m))) of
+    SipState w0 w1 w2 w3 -> SipState (w0 `xor` m) w1 w2 w3
+{-# INLINE absorb #-}
+
+-- | Mix in the last word, then four more rounds.
+finish :: Word64 -> SipState -> Word64
+finish lastWord state =
+  case absorb lastWord state of
+    SipState v0 v1 v2 v3 ->
+      case sipRound (sipRound (sipRound (sipRound (SipState v0 v1 (v2 `xor` 0xff) v3)))) of
+        SipState w0 w1 w2 w3 -> (w0 `xor` w1) `xor` (w2 `xor` w3)
+{-# INLINE finish #-}
+
+sipRound :: SipState -> SipState
+sipRound (SipState v0 v1 v2 v3) =
+  let !a0 = v0 + v1
+      !a1 = rotated 13 v1 `xor` a0
+      !a2 = v2 + v3
+      !a3 = rotated 16 v3 `xor` a2
+      !b0 = rotated 32 a0 + a3
+      !b3 = rotated 21 a3 `xor` b0
+      !b2 = a2 + a1
+      !b1 = rotated 17 a1 `xor` b2
+   in SipState b0 b1 (rotated 32 b2) b3
+{-# INLINE sipRound #-}
+
+-- | Rotation to the left by 1 … 63 bits.
+rotated :: Int -> Word64 -> Word64
+rotated n x = (x `unsafeShiftL` n) .|. (x `unsafeShiftR` (64 - n))
+{-# INLINE rotated #-}

@@ -1,0 +1,112 @@
+-- | Who looks: how the directions an observer sees become light paths, and how
+-- his motion and place shift the light's frequency.
+--
+-- Directions are given in the observer's own orthonormal frame, written in the
+-- Cartesian components of pseudo-space: the radial unit vector is @x/r@, the
+-- azimuthal one is that of the right-handed rotation about @+y@. Formulas:
+-- Misner, Thorne & Wheeler, /Gravitation/, §25 and box 31.2.
+module BlackHole.Physics.Observer
+  ( Observer (..),
+    observerName,
+    observerRange,
+    SightLine (..),
+    sightLine,
+  )
+where
+
+import BlackHole.Physics.Photon
+import BlackHole.Physics.Spacetime (Spacetime (..))
+import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^), (^-^))
+import qualified BlackHole.Vector.XYZ as XYZ
+import Data.Maybe (fromMaybe)
+
+-- | The motion of whoever looks.
+data Observer
+  = -- | At rest: hovering on rockets.
+    Static
+  | -- | On the circular geodesic through his place, right-handed about the
+    -- axis through the hole that lies closest to @+y@.
+    Orbiting
+  | -- | Falling straight in, having started from rest at infinity.
+    Falling
+  | -- | The report's camera: nobody real. Directions are taken for coordinate
+    -- directions, which draws the hole too large, and light is not shifted.
+    Coordinate
+  deriving (Eq, Show, Read, Enum, Bounded)
+
+-- | The name on the command line.
+observerName :: Observer -> String
+observerName observer = case observer of
+  Static -> "static"
+  Orbiting -> "orbiting"
+  Falling -> "falling"
+  Coordinate -> "coordinate"
+
+-- | The smallest radius (exclusive) at which such an observer can exist.
+observerRange :: Spacetime -> Observer -> Double
+observerRange Flat _ = 1
+observerRange Schwarzschild observer = case observer of
+  Static -> 1
+  Orbiting -> 1.5
+  Falling -> 0
+  Coordinate -> 1
+
+-- | One line of sight.
+data SightLine = SightLine
+  { -- | The photon to follow backwards, of unit energy.
+    sightPhoton :: !Photon,
+    -- | Frequency seen by the observer over the frequency at infinity: what
+    -- shifts the light of the sky.
+    sightFrequency :: !Double
+  }
+  deriving (Eq, Show)
+
+-- | The light path seen by an observer at a place in a direction (unit length,
+-- pointing away from the eye). 'Nothing' where he sees the dark because no
+-- light comes from outside along it (inside the horizon), or where no such
+-- observer exists ('observerRange').
+sightLine :: Spacetime -> Observer -> XYZ -> XYZ -> Maybe SightLine
+sightLine Flat _ place direction =
+  (`SightLine` 1) . Photon place <$> XYZ.normalize direction
+sightLine Schwarzschild observer place direction
+  | r <= observerRange Schwarzschild observer || isNaN r = Nothing
+  | otherwise = case observer of
+    Coordinate -> (`SightLine` 1) <$> withUnitEnergy (Photon place direction)
+    Static -> static direction
+    Orbiting -> orbiting
+    Falling -> fromEnergy (1 + sqrt (1 / r) * outward) (direction ^+^ sqrt (1 / r) *^ radial)
+  where
+    r = XYZ.norm place
+    radial = (1 / r) *^ place
+    outward = XYZ.dot radial direction
+    dilation = sqrt (1 - 1 / r)
+    -- Light of frequency one to the observer has this energy at infinity and
+    -- this pseudo-velocity; scale both to unit energy.
+    fromEnergy energy velocity
+      | energy > 0 =
+        Just (SightLine (Photon place ((1 / energy) *^ velocity)) (1 / energy))
+      | otherwise = Nothing
+    -- The static observer's radial unit of length is shorter than the
+    -- coordinate's: only the radial part of a direction changes.
+    static d = fromEnergy dilation (d ^-^ ((1 - dilation) * XYZ.dot radial d) *^ radial)
+    -- His speed past the static observer is √(1/(2(r−1))). The light itself
+    -- moves along −direction, so what is boosted back into the static frame is
+    -- the momentum −direction; its reverse is the direction seen there.
+    orbiting = do
+      let azimuthal = orbitDirection radial
+          speed = sqrt (1 / (2 * (r - 1)))
+          gamma = 1 / sqrt (1 - speed * speed)
+          along = XYZ.dot azimuthal direction
+          -- Frequency in the static frame of light of frequency one here.
+          frequency = gamma * (1 - speed * along)
+          momentum =
+            direction
+              ^+^ ((gamma - 1) * along - gamma * speed) *^ azimuthal
+      SightLine photon shift <- static ((1 / frequency) *^ momentum)
+      pure (SightLine photon (shift / frequency))
+
+-- | The direction of circular motion: right-handed about @+y@; over the poles,
+-- where that has no direction, towards @+x@.
+orbitDirection :: XYZ -> XYZ
+orbitDirection radial =
+  fromMaybe (XYZ 1 0 0) (XYZ.normalize (XYZ.cross (XYZ 0 1 0) radial))

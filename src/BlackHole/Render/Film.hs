@@ -1,0 +1,91 @@
+{-# LANGUAGE BangPatterns #-}
+
+-- | The film: linear radiance of every pixel, and what a display shows of it.
+module BlackHole.Render.Film
+  ( Film,
+    exposeFilm,
+    developFilm,
+    filmRadiance,
+    faultyPixels,
+  )
+where
+
+import BlackHole.Light.Display (Exposure, ToneMap, displayCode)
+import BlackHole.Light.Radiance
+import BlackHole.Render.PixelArray
+import BlackHole.Render.PixelRows (mapRows, pixelChannels)
+import BlackHole.Render.PixelShape
+import BlackHole.Render.Workers (Workers)
+import BlackHole.Scene.Camera (Picture (..))
+import BlackHole.Scene.Scene
+import BlackHole.Trace.Pixel
+import Control.Monad.ST (ST)
+import Data.Vector.Storable (Vector)
+import qualified Data.Vector.Storable as Vector
+import Data.Vector.Storable.Mutable (MVector)
+import qualified Data.Vector.Storable.Mutable as MVector
+import Data.Word (Word8)
+
+-- | Linear radiance in three channels, row by row from the top.
+type Film = PixelArray Float
+
+-- | Trace every pixel of a scene; the callback hears how many rows are done.
+-- The same for any number of workers. 'Nothing' if the scene is not valid.
+exposeFilm :: Workers -> (Int -> IO ()) -> Scene -> IO (Maybe Film)
+exposeFilm workers progress scene =
+  case (,) <$> pixelShape width height 3 <*> tracer scene of
+    Nothing -> pure Nothing
+    Just (shape, traced) ->
+      Just <$> generateRows workers progress shape (traceRow traced width)
+  where
+    Picture width height = scenePicture scene
+
+-- | Trace one row into its part of the film.
+traceRow :: Tracer -> Int -> Int -> MVector s Float -> ST s ()
+traceRow traced !width !row pixels = go 0
+  where
+    go !column
+      | column >= width = pure ()
+      | otherwise = do
+        let Radiance r g b = pixelRadiance traced column row
+        MVector.unsafeWrite pixels (3 * column) (realToFrac r)
+        MVector.unsafeWrite pixels (3 * column + 1) (realToFrac g)
+        MVector.unsafeWrite pixels (3 * column + 2) (realToFrac b)
+        go (column + 1)
+
+-- | What an 8-bit sRGB display is told: exposure, tone map and coding.
+developFilm :: Workers -> Exposure -> ToneMap -> Film -> IO (PixelArray Word8)
+developFilm workers exposure tone = mapRows workers (const developRow)
+  where
+    developRow :: Vector Float -> MVector s Word8 -> ST s ()
+    developRow light codes = go 0
+      where
+        go !i
+          | i >= Vector.length light = pure ()
+          | otherwise = do
+            let (r, g, b) = displayCode exposure tone (radianceAt light i)
+            MVector.unsafeWrite codes i r
+            MVector.unsafeWrite codes (i + 1) g
+            MVector.unsafeWrite codes (i + 2) b
+            go (i + 3)
+
+-- | The radiance of the pixel in a column and a row; 'Nothing' outside.
+filmRadiance :: Film -> Int -> Int -> Maybe Radiance
+filmRadiance film column row = (`radianceAt` 0) <$> pixelChannels film column row
+
+-- | How many pixels hold a NaN or an infinity, and the column and row of the
+-- first. There should be none: one is a fault of the program.
+faultyPixels :: Film -> (Int, Maybe (Int, Int))
+faultyPixels film = (Vector.length faulty, place <$> faulty Vector.!? 0)
+  where
+    faulty = Vector.filter isFaulty (Vector.enumFromN 0 (Vector.length light `quot` 3))
+    isFaulty i = not (isFiniteRadiance (radianceAt light (3 * i)))
+    light = toPixelVector film
+    place i = let (row, column) = i `quotRem` shapeWidth (pixelArrayShape film) in (column, row)
+
+-- | Three channels from an index on that the caller knows to be in range.
+radianceAt :: Vector Float -> Int -> Radiance
+radianceAt light i = Radiance (at 0) (at 1) (at 2)
+  where
+    at k = realToFrac (Vector.unsafeIndex light (i + k))
+{-# INLINE radianceAt #-}

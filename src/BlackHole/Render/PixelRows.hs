@@ -1,0 +1,51 @@
+{-# LANGUAGE RankNTypes #-}
+
+-- | Reading arrays of pixels, and turning one into another row by row.
+module BlackHole.Render.PixelRows
+  ( pixelRow,
+    pixelChannels,
+    mapRows,
+  )
+where
+
+import BlackHole.Render.PixelArray (PixelArray, generateRows, pixelArrayShape, toPixelVector)
+import BlackHole.Render.PixelShape (shapeChannels, shapeHeight, shapeRowLength, shapeWidth)
+import BlackHole.Render.Workers (Workers)
+import Control.Monad.ST (ST)
+import Data.Foldable (for_)
+import Data.Vector.Storable (Storable, Vector)
+import qualified Data.Vector.Storable as Vector
+import Data.Vector.Storable.Mutable (MVector)
+
+-- | The numbers of row @y@ (0 is the top one), width × channels of them,
+-- without copying; 'Nothing' outside the array.
+pixelRow :: Storable e => PixelArray e -> Int -> Maybe (Vector e)
+pixelRow pixels y
+  | y < 0 || y >= shapeHeight shape = Nothing
+  | otherwise =
+    Just $ Vector.slice (y * shapeRowLength shape) (shapeRowLength shape) (toPixelVector pixels)
+  where
+    shape = pixelArrayShape pixels
+
+-- | @pixelChannels pixels x y@: the channels of the pixel in column @x@ of row
+-- @y@, both from 0 at the top left, without copying; 'Nothing' outside.
+pixelChannels :: Storable e => PixelArray e -> Int -> Int -> Maybe (Vector e)
+pixelChannels pixels x y
+  | x < 0 || x >= shapeWidth shape = Nothing
+  | otherwise = Vector.slice (x * shapeChannels shape) (shapeChannels shape) <$> pixelRow pixels y
+  where
+    shape = pixelArrayShape pixels
+
+-- | @mapRows workers convert pixels@ makes an array of the same shape, each row
+-- by @convert y old new@: row number, numbers to read, numbers to write. This
+-- is how light becomes bytes. Threads and exceptions are those of
+-- 'generateRows'.
+mapRows ::
+  (Storable a, Storable b) =>
+  Workers ->
+  (forall s. Int -> Vector a -> MVector s b -> ST s ()) ->
+  PixelArray a ->
+  IO (PixelArray b)
+mapRows crew convert pixels =
+  generateRows crew (const (pure ())) (pixelArrayShape pixels) $ \y new ->
+    for_ (pixelRow pixels y) $ \old -> convert y old new

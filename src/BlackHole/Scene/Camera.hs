@@ -1,0 +1,109 @@
+-- | Where the camera stands, where it looks, and which direction of sight
+-- belongs to a point of the picture.
+module BlackHole.Scene.Camera
+  ( Camera (..),
+    Pose (..),
+    posePosition,
+    Frame (..),
+    cameraFrame,
+    Picture (..),
+    sightDirection,
+  )
+where
+
+import BlackHole.Physics.Angle
+import BlackHole.Vector.XY (XY (..))
+import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^), (^-^))
+import qualified BlackHole.Vector.XYZ as XYZ
+
+-- | A pinhole camera with a flat picture plane.
+data Camera = Camera
+  { cameraPose :: !Pose,
+    -- | Turns the camera clockwise about its line of sight.
+    cameraRoll :: !Degrees,
+    -- | Angle between the left and the right edge of the picture, (0, 180).
+    cameraFieldOfView :: !Degrees
+  }
+  deriving (Eq, Show)
+
+-- | The camera's place and line of sight.
+data Pose
+  = -- | On a sphere around the hole, looking at it: distance in Schwarzschild
+    -- radii, inclination from the disk's axis @+y@, azimuth @atan2(z, x)@. At
+    -- azimuth 90° the camera is at @r·(0, cos i, sin i)@ with @+x@ to its right.
+    Around !Double !Degrees !Degrees
+  | -- | At a place, looking at another, with @+y@ upwards.
+    LookAt !XYZ !XYZ
+  deriving (Eq, Show)
+
+-- | The camera's place in Schwarzschild radii.
+posePosition :: Pose -> XYZ
+posePosition (LookAt place _) = place
+posePosition (Around r inclination azimuth) =
+  r *^ XYZ (sin i * cos a) (cos i) (sin i * sin a)
+  where
+    Radians i = toRadians inclination
+    Radians a = toRadians azimuth
+
+-- | The camera's three axes: unit length, mutually perpendicular.
+data Frame = Frame
+  { frameForward :: !XYZ,
+    frameRight :: !XYZ,
+    frameUp :: !XYZ
+  }
+  deriving (Eq, Show)
+
+-- | The axes of a camera. 'Nothing' if it looks along its own up vector, at
+-- its own place, or if a number is not finite.
+cameraFrame :: Camera -> Maybe Frame
+cameraFrame (Camera pose roll _) = do
+  forward <- XYZ.normalize sight
+  right <- perpendicular (XYZ.cross forward up)
+  pure (rolled forward right (XYZ.cross right forward))
+  where
+    (sight, up) = case pose of
+      LookAt place target -> (target ^-^ place, XYZ 0 1 0)
+      -- Upwards is where the inclination shrinks: the same as +y in the
+      -- picture, and still a direction when the camera is above the pole.
+      Around _ inclination azimuth ->
+        let Radians i = toRadians inclination
+            Radians a = toRadians azimuth
+         in ( XYZ.negated (posePosition (Around 1 inclination azimuth)),
+              XYZ (negate (cos i * cos a)) (sin i) (negate (cos i * sin a))
+            )
+    -- The sine of the angle between sight and up; below this the picture's
+    -- orientation would be rounding noise.
+    perpendicular v
+      | XYZ.norm v > 1e-9 * XYZ.norm sight = XYZ.normalize v
+      | otherwise = Nothing
+    rolled forward right above =
+      Frame
+        forward
+        (cos t *^ right ^-^ sin t *^ above)
+        (cos t *^ above ^+^ sin t *^ right)
+    Radians t = toRadians roll
+
+-- | Size of the picture in pixels.
+data Picture = Picture
+  { pictureWidth :: !Int,
+    pictureHeight :: !Int
+  }
+  deriving (Eq, Show)
+
+-- | The direction of sight (unit length) through a point of the picture,
+-- given in pixels from its top left corner: @XY 0.5 0.5@ is the middle of the
+-- first pixel. Pixels are square.
+sightDirection :: Camera -> Picture -> Frame -> XY -> XYZ
+sightDirection camera (Picture width height) (Frame forward right up) =
+  \(XY px py) ->
+    let d =
+          forward
+            ^+^ ((px - halfWidth) * scale) *^ right
+            ^+^ ((halfHeight - py) * scale) *^ up
+     in (1 / XYZ.norm d) *^ d
+  where
+    halfWidth = 0.5 * fromIntegral width
+    halfHeight = 0.5 * fromIntegral height
+    Radians fov = toRadians (cameraFieldOfView camera)
+    scale = tan (0.5 * fov) / halfWidth
+{-# INLINE sightDirection #-}

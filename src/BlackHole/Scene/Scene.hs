@@ -1,0 +1,72 @@
+-- | Everything that determines a picture, in one record.
+module BlackHole.Scene.Scene
+  ( Scene (..),
+    Integrator (..),
+    integratorName,
+    sceneLeapfrog,
+    sceneRegion,
+  )
+where
+
+import BlackHole.Light.Display (Exposure, ToneMap)
+import BlackHole.Physics.Leapfrog
+import BlackHole.Physics.LightPath (Region (..))
+import BlackHole.Physics.Observer (Observer)
+import BlackHole.Physics.Spacetime (Spacetime)
+import BlackHole.Scene.Camera (Camera, Picture)
+import BlackHole.Scene.Disk
+import BlackHole.Scene.Shifts (Shifts)
+import BlackHole.Scene.Sky (Sky)
+import Data.Word (Word64)
+
+-- | A scene: equal scenes give equal bytes.
+data Scene = Scene
+  { scenePicture :: !Picture,
+    sceneCamera :: !Camera,
+    sceneObserver :: !Observer,
+    sceneSpacetime :: !Spacetime,
+    sceneIntegrator :: !Integrator,
+    -- | The leapfrog's base length @l₀@ in Schwarzschild radii.
+    sceneStep :: !Double,
+    -- | The gas, if there is any.
+    sceneDisk :: !(Maybe Disk),
+    sceneSky :: !Sky,
+    -- | The shifts of frequency that are shown.
+    sceneShifts :: !Shifts,
+    -- | Parity checks instead of gas and sky.
+    sceneDebugTextures :: !Bool,
+    -- | Rays per pixel.
+    sceneSamples :: !Int,
+    sceneExposure :: !Exposure,
+    sceneToneMap :: !ToneMap,
+    -- | Seed of all noise and of the sampling.
+    sceneSeed :: !Word64
+  }
+  deriving (Eq, Show)
+
+-- | The ways to follow light.
+data Integrator
+  = -- | Along the closed form of the orbit.
+    Exact
+  | -- | The report's leapfrog.
+    Leapfrogging
+  deriving (Eq, Show, Read, Enum, Bounded)
+
+-- | The name on the command line.
+integratorName :: Integrator -> String
+integratorName Exact = "exact"
+integratorName Leapfrogging = "leapfrog"
+
+-- | The leapfrog's settings. Its steps follow the thickness of the disk; with
+-- no disk there is nothing to be fine for.
+sceneLeapfrog :: Scene -> Leapfrog
+sceneLeapfrog scene =
+  defaultLeapfrog {leapfrogSteps = ReportSteps (sceneStep scene) thickness}
+  where
+    thickness = maybe 1e-9 diskThickness (sceneDisk scene)
+
+-- | Where there can be gas; empty without a disk.
+sceneRegion :: Scene -> Region
+sceneRegion = maybe nowhere diskRegion . sceneDisk
+  where
+    nowhere = Region 0 (-1) 0 1 1

@@ -1,0 +1,72 @@
+-- | What lies behind everything, infinitely far away.
+module BlackHole.Scene.Sky
+  ( Sky (..),
+    skyName,
+    Stars (..),
+    reportStars,
+    defaultStars,
+  )
+where
+
+-- | The celestial sphere.
+data Sky
+  = -- | Stars cut out of three-dimensional noise on the sphere.
+    SkyNoise !Stars
+  | -- | Alternating fields of 10°, to see the lensing by.
+    SkyGrid
+  | -- | The same radiance everywhere.
+    SkyUniform !Double
+  | -- | Dark.
+    SkyNone
+  deriving (Eq, Show)
+
+-- | The name on the command line.
+skyName :: Sky -> String
+skyName sky = case sky of
+  SkyNoise _ -> "noise"
+  SkyGrid -> "grid"
+  SkyUniform _ -> "uniform"
+  SkyNone -> "none"
+
+-- | Where the noise rises above the threshold there is a star:
+-- @brightness · 1/(1 + e^{−sharpness·(noise − threshold)})@.
+data Stars = Stars
+  { -- | Noise features per radian.
+    starFrequency :: !Double,
+    -- | Octaves of the noise: one gives round stars, more give shreds of light.
+    starOctaves :: !Int,
+    -- | Noise level (−1…1) at which a star has half its brightness.
+    starThreshold :: !Double,
+    -- | Steepness of a star's edge.
+    starSharpness :: !Double,
+    -- | Radiance of the brightest stars.
+    starBrightness :: !Double,
+    -- | Whether stars have the colours of black bodies, or are all white.
+    starColours :: !Bool
+  }
+  deriving (Eq, Show)
+
+-- | The report's: on its sphere of radius 2000 with three noise units a
+-- Schwarzschild radius, the coarsest of five levels has cells of 16 units.
+reportStars :: Stars
+reportStars =
+  Stars
+    { starFrequency = 375,
+      starOctaves = 5,
+      starThreshold = 0.55,
+      starSharpness = 30,
+      starBrightness = 4,
+      starColours = False
+    }
+
+-- | Small coloured stars.
+defaultStars :: Stars
+defaultStars =
+  Stars
+    { starFrequency = 420,
+      starOctaves = 1,
+      starThreshold = 0.72,
+      starSharpness = 40,
+      starBrightness = 2.5,
+      starColours = True
+    }

@@ -1,0 +1,59 @@
+-- | Light from the celestial sphere.
+module BlackHole.Trace.Sky
+  ( skyShader,
+    gridRadiance,
+  )
+where
+
+import BlackHole.Light.BlackBodyTable (tabulatedColour)
+import BlackHole.Light.Radiance
+import BlackHole.Noise.Lattice (unitLevel)
+import BlackHole.Noise.PerlinG (noise3, perlin3)
+import BlackHole.Noise.Profile (normalised, octaves)
+import BlackHole.Scene.Sky
+import BlackHole.Trace.Seeds
+import BlackHole.Vector.XYZ (XYZ (..), (*^))
+import Data.Word (Word64)
+
+-- | The radiance that arrives from a direction (unit length, as the light
+-- escapes), for an observer who sees it at g times its frequency. A star is a
+-- black body and changes its colour with g; light of no known spectrum keeps
+-- it. Either way the intensity grows as g⁴.
+skyShader :: Word64 -> Sky -> Double -> XYZ -> Radiance
+skyShader seed sky = case sky of
+  SkyNoise stars -> starRadiance seed stars
+  SkyGrid -> \g -> scaleRadiance (g ^ (4 :: Int)) . gridRadiance
+  SkyUniform v -> \g _ -> grey (v * g ^ (4 :: Int))
+  SkyNone -> \_ _ -> black
+
+-- | Stars where noise on the sphere rises above a threshold.
+starRadiance :: Word64 -> Stars -> Double -> XYZ -> Radiance
+starRadiance seed stars = \g direction ->
+  let place = starFrequency stars *^ direction
+      above = starSharpness stars * (perlin3 fieldSeed profile place - starThreshold stars)
+      brightness = starBrightness stars / (1 + exp (negate above))
+   in -- Four widths below the threshold a star is darker than 2 % of itself:
+      -- cut there, so that the sky between the stars is black.
+      if above < -4
+        then black
+        else scaleRadiance brightness (light g place)
+  where
+    profile = normalised (octaves unitLevel (starOctaves stars) 0.5)
+    fieldSeed = purposeSeed seed StarField
+    colourSeed = purposeSeed seed StarColour
+    light
+      | starColours stars = \g place ->
+        -- From cool orange to hot blue stars, the same over the whole of one.
+        let temperature = 5500 * exp (2 * noise3 colourSeed unitLevel (0.4 *^ place))
+         in scaleRadiance (g ^ (4 :: Int)) (tabulatedColour (g * temperature))
+      | otherwise = \g _ -> grey (g ^ (4 :: Int))
+
+-- | Fields of 10° in longitude and latitude, warm over the disk's upper side
+-- and cool under it.
+gridRadiance :: XYZ -> Radiance
+gridRadiance (XYZ x y z)
+  | y >= 0 = scaleRadiance shade (Radiance 1 0.6 0.25)
+  | otherwise = scaleRadiance shade (Radiance 0.25 0.6 1)
+  where
+    shade = if even (field (atan2 z x) + field (asin (max (-1) (min 1 y)))) then 0.8 else 0.15
+    field angle = floor (angle * 18 / pi) :: Int

@@ -1,0 +1,66 @@
+module BlackHole.Cli.OptionsSpec (spec) where
+
+import BlackHole.Cli.Options
+import BlackHole.Light.Display (Exposure (..))
+import BlackHole.Physics.Angle
+import BlackHole.Physics.Observer
+import BlackHole.Physics.Spacetime
+import BlackHole.Scene.Camera
+import BlackHole.Scene.Preset
+import BlackHole.Scene.Scene
+import BlackHole.Scene.Validate (Problem (..))
+import BlackHole.Vector.XYZ (XYZ (..))
+import Control.Monad (void)
+import Data.List (isInfixOf)
+import Test.Hspec
+
+spec :: Spec
+spec = do
+  it "no options give the default scene" $ scene [] `shouldBe` Right defaultScene
+  it "a preset gives that scene" $ scene ["--preset", "report"] `shouldBe` Right reportScene
+  it "the height follows the width at 16:9" $
+    fmap scenePicture (scene ["--width", "640", "--fov", "40"]) `shouldBe` Right (Picture 640 360)
+  it "the height may be given" $
+    fmap scenePicture (scene ["--width", "640", "--height", "100"]) `shouldBe` Right (Picture 640 100)
+  it "angles place the camera" $
+    fmap (cameraPose . sceneCamera) (scene ["--distance", "12", "--inclination=30", "--azimuth", "-45"])
+      `shouldBe` Right (Around 12 (Degrees 30) (Degrees (-45)))
+  it "so does a point, with the hole as target" $
+    fmap (cameraPose . sceneCamera) (scene ["--camera", "-1,2.5,+3e1"])
+      `shouldBe` Right (LookAt (XYZ (-1) 2.5 30) (XYZ 0 0 0))
+  it "takes numbers as people write them" $
+    fmap sceneExposure (scene ["--exposure", "-.5"]) `shouldBe` Right (Exposure (-0.5))
+  it "names are taken in any case" $
+    fmap sceneObserver (scene ["--observer", "Falling"]) `shouldBe` Right Falling
+  it "switches gravity and gas off" $
+    fmap (\s -> (sceneSpacetime s, sceneDisk s)) (scene ["--no-gravity", "--no-disk"]) `shouldBe` Right (Flat, Nothing)
+  describe "mistakes" $ do
+    misused ["render", "--width", "many"] ["--width", "many", "whole number"]
+    misused ["render", "--fov", "4o"] ["--fov", "4o", "number"]
+    misused ["render", "--camera", "1,2"] ["--camera", "1,2", "X,Y,Z"]
+    misused ["render", "--observer", "statik"] ["--observer", "statik", "static"]
+    misused ["render", "--widht", "3"] ["--widht"]
+    misused ["rendr"] ["rendr"]
+    misused [] []
+    misused ["render", "stray"] ["stray"]
+  it "an unknown preset is told with the nearest name" $
+    case scene ["--preset", "reprot"] of
+      Left [problem] -> (problemOption problem, problemValue problem, "did you mean report" `isInfixOf` problemRange problem) `shouldBe` ("--preset", "reprot", True)
+      other -> expectationFailure (show other)
+  it "two ways to place the camera clash" $
+    void (scene ["--camera", "0,1,9", "--distance", "4"]) `shouldSatisfy` either ((== ["--camera"]) . map problemOption) (const False)
+  it "--help and --version are not mistakes" $ do
+    parseArguments "v1" ["--version"] `shouldBe` Inform "v1"
+    case parseArguments "v1" ["render", "--help"] of
+      Inform text -> mapM_ (\o -> text `shouldSatisfy` isInfixOf o) ["--width", "--fov", "--preset", "Example"]
+      other -> expectationFailure (show other)
+  where
+    scene arguments = case parseArguments "v1" ("render" : arguments) of
+      Run (Render options) -> resolveScene options
+      other -> Left [Problem "" (show other) ""]
+    misused arguments parts =
+      it (unwords ("blackhole" : arguments)) $ case parseArguments "v1" arguments of
+        Misused line -> do
+          line `shouldSatisfy` notElem '\n'
+          mapM_ (\part -> line `shouldSatisfy` isInfixOf part) (parts :: [String])
+        other -> expectationFailure (show other)

@@ -1,0 +1,31 @@
+module BlackHole.Image.GoldenSpec (spec) where
+
+import BlackHole.Image.Png
+import BlackHole.Physics.Spacetime
+import BlackHole.Render.Film
+import BlackHole.Render.Workers
+import BlackHole.Scene.Camera (Picture (..))
+import BlackHole.Scene.Preset
+import BlackHole.Scene.Scene
+import BlackHole.Scene.Sky
+import Support.Golden
+import Test.Hspec
+
+spec :: Spec
+spec = do
+  golden "default" small
+  golden "report" (sized reportScene)
+  golden "report-exact" (sized reportScene) {sceneIntegrator = Exact}
+  golden "grid" small {sceneDisk = Nothing, sceneSky = SkyGrid}
+  golden "debug-textures" (sized reportScene) {sceneDebugTextures = True}
+  golden "no-gravity" small {sceneSpacetime = Flat}
+  where
+    small = sized defaultScene
+    sized scene = scene {scenePicture = Picture 160 90, sceneSamples = 1}
+    golden name scene = it name $ do
+      film <- exposeFilm oneWorker (const (pure ())) scene
+      case film of
+        Nothing -> expectationFailure "the scene is not valid"
+        Just exposed -> do
+          codes <- developFilm oneWorker (sceneExposure scene) (sceneToneMap scene) exposed
+          encodePicture "blackhole" codes `shouldMatchGolden` name

@@ -1,0 +1,36 @@
+module BlackHole.Render.FilmSpec (spec) where
+
+import BlackHole.Light.Display
+import BlackHole.Render.Film
+import BlackHole.Render.PixelArray (toPixelVector)
+import BlackHole.Render.Workers
+import BlackHole.Scene.Camera (Picture (..))
+import BlackHole.Scene.Preset
+import BlackHole.Scene.Scene
+import qualified Data.Vector.Storable as Vector
+import Data.Word (Word8)
+import Test.Hspec
+
+spec :: Spec
+spec = do
+  it "has equal bytes for any number of workers" $ do
+    one <- developed 1
+    others <- mapM developed [2, 3, 7]
+    map (== one) others `shouldBe` [True, True, True]
+    fmap (Vector.length . Vector.filter (> 100)) one `shouldSatisfy` maybe False (> 100)
+  it "has no faulty pixel" $ do
+    film <- exposeFilm oneWorker (const (pure ())) small
+    fmap faultyPixels film `shouldBe` Just (0, Nothing)
+  it "does not trace an invalid scene" $ do
+    film <- exposeFilm oneWorker (const (pure ())) small {scenePicture = Picture 0 1}
+    fmap faultyPixels film `shouldBe` Nothing
+
+small :: Scene
+small = defaultScene {scenePicture = Picture 48 27, sceneSamples = 1}
+
+developed :: Int -> IO (Maybe (Vector.Vector Word8))
+developed n = case workers n of
+  Nothing -> pure Nothing
+  Just crew -> withWorkers crew $ do
+    film <- exposeFilm crew (const (pure ())) small
+    traverse (fmap toPixelVector . developFilm crew (Exposure 0) ToneFilm) film

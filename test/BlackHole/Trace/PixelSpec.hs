@@ -1,0 +1,103 @@
+module BlackHole.Trace.PixelSpec (spec) where
+
+import BlackHole.Light.Radiance
+import BlackHole.Physics.Angle
+import BlackHole.Physics.Observer
+import BlackHole.Physics.Spacetime
+import BlackHole.Scene.Camera
+import BlackHole.Scene.Disk
+import BlackHole.Scene.Preset
+import BlackHole.Scene.Scene
+import BlackHole.Scene.Sky
+import BlackHole.Trace.Pixel
+import BlackHole.Vector.XY (XY (..))
+import Support.Approx
+import Support.Generators
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
+import Test.QuickCheck
+
+spec :: Spec
+spec = do
+  describe "a uniform sky" $ do
+    prop "is uniform everywhere outside the shadow (Liouville)" $
+      forAll ((,,) <$> inRange 1.8 60 <*> inRange 1 179 <*> elements [Static, Falling, Coordinate]) $ \(r, i, observer) ->
+        forAll ((,) <$> inRange 0 64 <*> inRange 0 36) $ \(x, y) ->
+          let bare = (uniform 0.7) {sceneObserver = observer, sceneCamera = looking r i}
+              shift = case observer of
+                -- For an observer who falls the sky's shift depends on the
+                -- direction; this test is about its intensity.
+                Falling -> Nothing
+                Static -> Just ((1 - 1 / r) ** (-2))
+                _ -> Just 1
+           in case (shift, light bare (XY x y)) of
+                (_, Radiance 0 0 0) -> property True
+                (Just g4, Radiance v _ _) -> closeTo (1e-9 * g4) (0.7 * g4) v
+                (Nothing, Radiance v _ _) -> property (v > 0 && not (isInfinite v))
+    it "shows a shadow of the size Synge computed" $
+      sequence_
+        [ shadowAngle r `shouldBeWithin` (1e-4, asin (sqrt (6.75 * (1 - 1 / r)) / r))
+          | r <- [6, 20]
+        ]
+    it "has no shadow but a ball without gravity" $ do
+      let bare = (uniform 1) {sceneSpacetime = Flat, sceneCamera = looking 10 90}
+      light bare (XY 32 18) `shouldBe` black
+      light bare (XY 1 1) `shouldBe` grey 1
+  describe "both integrators" $
+    modifyMaxSuccess (const 25) $
+      prop "agree on smooth thin gas" $
+        forAll ((,) <$> inRange 8 30 <*> inRange 20 85) $ \(r, i) ->
+          forAll ((,) <$> inRange 0 64 <*> inRange 0 36) $ \(x, y) ->
+            let smooth = (uniform 0.3) {sceneCamera = looking r i, sceneDisk = Just gas}
+                gas = reportDisk {diskArms = 0, diskThickness = 0.1, diskBrightness = 1}
+                a = luminance (light smooth (XY x y))
+                b = luminance (light smooth {sceneIntegrator = Leapfrogging, sceneStep = 0.02} (XY x y))
+             in -- At the edge of the shadow the smallest error decides all.
+                a > 0.25 && b > 0.25 ==> closeTo 0.02 b a
+  describe "samples" $ do
+    it "a single one is the pixel's middle" $
+      samplePoint defaultScene {sceneSamples = 1} 3 4 0 `shouldBe` XY 3.5 4.5
+    prop "stay in their pixel, one in each cell of a grid" $
+      forAll ((,,) <$> elements [2, 4, 6, 9, 16] <*> choose (0, 5000) <*> choose (0, 5000)) $ \(n, column, row) ->
+        let points = [samplePoint defaultScene {sceneSamples = n} column row k | k <- [0 .. n - 1]]
+            columns = last [c | c <- [1 .. n], c * c <= n, n `rem` c == 0]
+            rows = n `quot` columns
+            cell (XY x y) = (floor ((x - fromIntegral column) * fromIntegral columns), floor ((y - fromIntegral row) * fromIntegral rows)) :: (Int, Int)
+         in map cell points === [(i, j) | j <- [0 .. rows - 1], i <- [0 .. columns - 1]]
+    prop "depend on the seed" $ \seed ->
+      seed /= 0
+        ==> samplePoint defaultScene {sceneSamples = 4} 1 1 0 =/= samplePoint defaultScene {sceneSamples = 4, sceneSeed = seed} 1 1 0
+  prop "no ray of the presets has a radiance that is not finite or negative" $
+    forAll ((,) <$> inRange 0 64 <*> inRange 0 36) $ \(x, y) ->
+      conjoin
+        [ counterexample (name ++ " " ++ show l) (isFiniteRadiance l && luminance l >= 0)
+          | (name, preset) <- presets,
+            let l = light preset {scenePicture = Picture 64 36} (XY x y)
+        ]
+
+light :: Scene -> XY -> Radiance
+light scene point = maybe (Radiance (0 / 0) 0 0) (`sightRadiance` point) (tracer scene)
+
+uniform :: Double -> Scene
+uniform v =
+  defaultScene
+    { scenePicture = Picture 64 36,
+      sceneDisk = Nothing,
+      sceneSky = SkyUniform v
+    }
+
+looking :: Double -> Double -> Camera
+looking r i = Camera (Around r (Degrees i) (Degrees 90)) (Degrees 0) (Degrees 60)
+
+-- | Half the angle of the shadow in the picture, by bisection along a row.
+shadowAngle :: Double -> Double
+shadowAngle r = atan (go 32 64 / 32 * tan (30 * pi / 180))
+  where
+    bare = (uniform 1) {sceneCamera = looking r 90}
+    go :: Double -> Double -> Double
+    go dark bright
+      | bright - dark < 1e-6 = bright - 32
+      | light bare (XY middle 18) == black = go middle bright
+      | otherwise = go dark middle
+      where
+        middle = 0.5 * (dark + bright)
