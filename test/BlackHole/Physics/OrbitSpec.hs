@@ -4,6 +4,7 @@ import BlackHole.Physics.Orbit
 import BlackHole.Physics.Radii
 import Control.Monad (forM_)
 import Data.Maybe (fromMaybe, isNothing)
+import Support.Allocation (allocatedBytes, whenOptimised)
 import Support.IndependentOrbit
 import Support.Reference
 import Test.Hspec
@@ -77,6 +78,23 @@ spec = do
   regimeSpec
   independentSpec
   equationSpec
+  describe "orbitInverseRadius" $
+    it "allocates nothing" . whenOptimised $
+      forM_ [static 20 0.5, static 20 0.13, static 20 0.1, static 1.2 2, static 1.2 1] $ \l -> do
+        let o = launchOrbit l
+        _ <- allocatedBytes (sumOver o 1)
+        few <- allocatedBytes (sumOver o 1000)
+        many <- allocatedBytes (sumOver o 100000)
+        (many - few) `shouldSatisfy` (< 100000)
+
+-- | Sum of @u@ over so many angles.
+sumOver :: Orbit -> Int -> Double
+sumOver o count = go count 0 0
+  where
+    go :: Int -> Double -> Double -> Double
+    go n phi total
+      | n <= 0 = total
+      | otherwise = phi `seq` total `seq` go (n - 1) (phi + 1e-6) (total + orbitInverseRadius o phi)
 
 referenceSpec :: Spec
 referenceSpec = describe "reference values" $ do
