@@ -1,12 +1,12 @@
 -- | Closed-form light paths: what a ray pays once, and what it pays per point.
-module OrbitBench (orbitBenchmarks) where
+module OrbitBench (benchmarks) where
 
 import BlackHole.Physics.Orbit
 import Criterion.Main
 
 -- | Setting up an orbit, asking it for points, and the deflection of light.
-orbitBenchmarks :: Benchmark
-orbitBenchmarks =
+benchmarks :: Benchmark
+benchmarks =
   bgroup
     "orbit"
     [ bgroup "set-up" [bench name (whnf setUp b) | (name, b) <- photons],

@@ -3,6 +3,7 @@ module Main (main) where
 
 import qualified BlackHole.Cli.OptionsSpec
 import qualified BlackHole.Cli.RunSpec
+import qualified BlackHole.Cli.SelfTestSpec
 import qualified BlackHole.Image.AtomicFileSpec
 import qualified BlackHole.Image.GoldenSpec
 import qualified BlackHole.Light.BlackBodySpec
@@ -30,6 +31,9 @@ import qualified BlackHole.Render.PixelShapeSpec
 import qualified BlackHole.Render.WorkersSpec
 import qualified BlackHole.Scene.CameraSpec
 import qualified BlackHole.Scene.ValidateSpec
+import qualified BlackHole.SelfTest.CheckSpec
+import qualified BlackHole.SelfTest.SuiteSpec
+import qualified BlackHole.SelfTest.TableSpec
 import qualified BlackHole.Trace.GasSpec
 import qualified BlackHole.Trace.PixelSpec
 import qualified BlackHole.Trace.SkySpec
@@ -41,6 +45,7 @@ main :: IO ()
 main = hspec $ do
   describe "BlackHole.Cli.Options" BlackHole.Cli.OptionsSpec.spec
   describe "BlackHole.Cli.Run" BlackHole.Cli.RunSpec.spec
+  describe "BlackHole.Cli.SelfTest" BlackHole.Cli.SelfTestSpec.spec
   describe "BlackHole.Image.AtomicFile" BlackHole.Image.AtomicFileSpec.spec
   describe "BlackHole.Image.Golden" BlackHole.Image.GoldenSpec.spec
   describe "BlackHole.Light.BlackBody" BlackHole.Light.BlackBodySpec.spec
@@ -68,6 +73,9 @@ main = hspec $ do
   describe "BlackHole.Render.Workers" BlackHole.Render.WorkersSpec.spec
   describe "BlackHole.Scene.Camera" BlackHole.Scene.CameraSpec.spec
   describe "BlackHole.Scene.Validate" BlackHole.Scene.ValidateSpec.spec
+  describe "BlackHole.SelfTest.Check" BlackHole.SelfTest.CheckSpec.spec
+  describe "BlackHole.SelfTest.Suite" BlackHole.SelfTest.SuiteSpec.spec
+  describe "BlackHole.SelfTest.Table" BlackHole.SelfTest.TableSpec.spec
   describe "BlackHole.Trace.Gas" BlackHole.Trace.GasSpec.spec
   describe "BlackHole.Trace.Pixel" BlackHole.Trace.PixelSpec.spec
   describe "BlackHole.Trace.Sky" BlackHole.Trace.SkySpec.spec

@@ -9,6 +9,7 @@ module BlackHole.Cli.Options
 where
 
 import BlackHole.Cli.Read
+import BlackHole.Cli.SelfTest (SelfTestOptions, selfTestOptions)
 import BlackHole.Light.Display
 import BlackHole.Physics.Angle
 import BlackHole.Physics.Observer
@@ -29,9 +30,11 @@ import Options.Applicative.Help (renderHelp, unChunk)
 import System.Exit (ExitCode (..))
 
 -- | What the program is asked to do.
-newtype Command
+data Command
   = -- | Render one picture.
     Render RenderOptions
+  | -- | Hold the program's numbers against known ones.
+    SelfTest SelfTestOptions
   deriving (Eq, Show)
 
 -- | The options of @blackhole render@; 'Nothing' keeps the preset's value.
@@ -100,10 +103,17 @@ commandLine version =
   where
     commands =
       hsubparser $
-        command "render" $
-          info (Render <$> renderOptions) $
-            progDesc "Render one picture to a PNG file."
-              <> footer "Example: blackhole render --width 1280 --inclination 75 --fov 40 -o hole.png"
+        command
+          "render"
+          ( info (Render <$> renderOptions) $
+              progDesc "Render one picture to a PNG file."
+                <> footer "Example: blackhole render --width 1280 --inclination 75 --fov 40 -o hole.png"
+          )
+          <> command
+            "selftest"
+            ( info (SelfTest <$> selfTestOptions) $
+                progDesc "Hold the program's numbers against known ones, in a few seconds. The exit code is 0 only if all of them are right."
+            )
     versionOption =
       infoOption version (long "version" <> help "Print the version and stop")
 

@@ -24,7 +24,7 @@ number = eitherReader $ \s ->
   maybe (Left (notA s "a number")) Right (readNumber s)
 
 -- | A whole number in decimal.
-wholeNumber :: (Integral a, Read a) => ReadM a
+wholeNumber :: Num a => ReadM a
 wholeNumber = eitherReader $ \s -> case readMaybe (dropPlus s) of
   Just n | abs n < 10 ^ (18 :: Int) -> Right (fromInteger n)
   _ -> Left (notA s "a whole number")

@@ -4,24 +4,28 @@ module BlackHole.Cli.Run
     ExitStatus (..),
     exitCode,
     versionLine,
+    selfTestStatus,
   )
 where
 
 import BlackHole.Cli.Options
+import BlackHole.Cli.SelfTest (runSelfTest)
 import BlackHole.Image.AtomicFile
 import BlackHole.Image.Png (encodePicture)
 import BlackHole.Render.Film
 import BlackHole.Render.PixelArray (backendName)
 import BlackHole.Render.Workers
+import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Validate
+import BlackHole.SelfTest.Check (Check, checkHolds)
 import Control.Exception (SomeAsyncException (..), SomeException, displayException, fromException, throwIO, try)
 import Data.Char (toLower)
 import Data.Version (showVersion)
 import qualified Paths_blackhole as Package
 import System.Exit (ExitCode (..))
 import System.FilePath (takeExtension)
-import System.IO (hPutStrLn, stderr)
+import System.IO (hIsTerminalDevice, hPutStr, hPutStrLn, stderr)
 import System.Info (compilerName, compilerVersion)
 
 -- | How a run ended.
@@ -72,6 +76,13 @@ dispatch arguments = case parseArguments versionLine arguments of
   Inform text -> Done <$ putStrLn text
   Misused line -> complain UsageError (line ++ " (see: blackhole --help)")
   Run (Render options) -> render options
+  Run (SelfTest options) -> selfTestStatus <$> runSelfTest options
+
+-- | A check that does not hold is a fault of the program.
+selfTestStatus :: [Check] -> ExitStatus
+selfTestStatus checks
+  | all checkHolds checks = Done
+  | otherwise = InternalFault
 
 -- | One picture, from options to file.
 render :: RenderOptions -> IO ExitStatus
@@ -96,7 +107,9 @@ render options
                Nothing <- [workers n]
            ]
     renderTo crew scene = do
-      exposed <- exposeFilm crew (const (pure ())) scene
+      interactive <- hIsTerminalDevice stderr
+      let rows = pictureHeight (scenePicture scene)
+      exposed <- exposeFilm crew (if interactive then tellProgress rows else const (pure ())) scene
       case exposed of
         Nothing -> complain InternalFault "the scene passed its checks but can't be traced"
         Just film -> do
@@ -109,6 +122,12 @@ render options
           case written of
             Left problem -> complain CannotWrite ("--output: " ++ renderWriteProblem problem)
             Right () -> pure Done
+
+-- | How much is done, on one line that is cleared at the end.
+tellProgress :: Int -> Int -> IO ()
+tellProgress rows done
+  | done >= rows = hPutStr stderr "\r\ESC[K"
+  | otherwise = hPutStr stderr ("\rrendering: " ++ show (100 * done `quot` rows) ++ " %")
 
 complainAll :: ExitStatus -> [Problem] -> IO ExitStatus
 complainAll status problems = status <$ mapM_ (complain status . renderProblem) problems

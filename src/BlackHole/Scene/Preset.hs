@@ -74,5 +74,6 @@ reportScene =
       sceneDisk = Just reportDisk,
       sceneSky = SkyNoise reportStars,
       sceneSamples = 1,
+      sceneExposure = Exposure (-1.2),
       sceneToneMap = ToneNone
     }

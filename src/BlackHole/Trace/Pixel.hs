@@ -7,6 +7,13 @@ module BlackHole.Trace.Pixel
     pixelRadiance,
     sightRadiance,
     samplePoint,
+
+    -- * Its parts
+    tracedDirection,
+    tracedSight,
+    tracedGas,
+    tracedSky,
+    followSight,
   )
 where
 
@@ -32,6 +39,7 @@ import Data.Bits (shiftR, (.&.))
 data Tracer = Tracer
   { tracerSight :: !(XY -> XYZ),
     tracerScene :: !Scene,
+    tracerGas :: !(Double -> GasShader),
     tracerFollow :: !(SightLine -> Followed Gathered),
     tracerSky :: !(Double -> XYZ -> Radiance)
   }
@@ -45,7 +53,8 @@ tracer scene = do
     Tracer
       { tracerSight = sightDirection (sceneCamera scene) (scenePicture scene) frame,
         tracerScene = scene,
-        tracerFollow = follow,
+        tracerGas = gas,
+        tracerFollow = \sight -> followSight scene sight (gas (sightFrequency sight)) nothingYet,
         tracerSky = sky
       }
   where
@@ -53,19 +62,22 @@ tracer scene = do
     sky
       | sceneDebugTextures scene = const gridRadiance
       | otherwise = skyShader seed (sceneSky scene)
-    follow = case sceneDisk scene of
-      Nothing -> followWith (\_ gathered _ -> Onward gathered)
+    gas = case sceneDisk scene of
+      Nothing -> \_ gathered _ -> Onward gathered
       Just disk
-        | sceneDebugTextures scene -> followWith (const (parityShader disk))
-        | otherwise -> followWith (gasShader seed (sceneShifts scene) disk)
-    followWith gas = case sceneIntegrator scene of
-      Exact -> \(SightLine photon observed) ->
-        followExact space region photon (gas observed) nothingYet
-      Leapfrogging -> \(SightLine photon observed) ->
-        followLeapfrog leapfrog space region photon (gas observed) nothingYet
+        | sceneDebugTextures scene -> const (parityShader disk)
+        | otherwise -> gasShader seed (sceneShifts scene) disk
+
+-- | Follow a line of sight through a scene by the scene's own integrator and
+-- hand the stretches that lie where there can be gas to the gatherer.
+followSight :: Scene -> SightLine -> (a -> Stretch -> Onward a) -> a -> Followed a
+followSight scene = case sceneIntegrator scene of
+  Exact -> followExact space region . sightPhoton
+  Leapfrogging -> followLeapfrog (sceneLeapfrog scene) space region . sightPhoton
+  where
     space = sceneSpacetime scene
     region = sceneRegion scene
-    leapfrog = sceneLeapfrog scene
+{-# INLINE followSight #-}
 
 -- | Mean radiance of a pixel (column and row from the top left, from 0) over
 -- its samples. Depends on the scene and the pixel alone.
@@ -81,22 +93,44 @@ pixelRadiance traced column row = go 0 black
 -- | Radiance that arrives at one point of the picture (pixels from the top
 -- left corner).
 sightRadiance :: Tracer -> XY -> Radiance
-sightRadiance traced point =
-  case sightLine (sceneSpacetime scene) (sceneObserver scene) place (tracerSight traced point) of
-    Nothing -> black
-    Just sight -> case tracerFollow traced sight of
-      Followed fate (Gathered light transmittance) _ -> case fate of
-        Escaped direction ->
-          light <+> scaleRadiance transmittance (tracerSky traced (g sight) direction)
-        Captured -> light
-        Opaque -> light
-        StepLimit -> light
+sightRadiance traced point = case tracedSight traced point of
+  Nothing -> black
+  Just sight -> case tracerFollow traced sight of
+    Followed fate (Gathered light transmittance) _ ->
+      light <+> scaleRadiance transmittance (tracedSky traced sight fate)
+
+-- | The direction of sight through a point of the picture.
+tracedDirection :: Tracer -> XY -> XYZ
+tracedDirection = tracerSight
+
+-- | The light path that arrives at a point of the picture; 'Nothing' where it
+-- is dark because none does ('sightLine').
+tracedSight :: Tracer -> XY -> Maybe SightLine
+tracedSight traced =
+  sightLine (sceneSpacetime scene) (sceneObserver scene) (tracedPlace traced) . tracerSight traced
   where
     scene = tracerScene traced
-    place = posePosition (cameraPose (sceneCamera scene))
+
+-- | The shader of the scene's gas, by the observer's frequency.
+tracedGas :: Tracer -> Double -> GasShader
+tracedGas = tracerGas
+
+-- | What the sky sends to the end of a line of sight, with no gas in between.
+tracedSky :: Tracer -> SightLine -> Fate -> Radiance
+tracedSky traced sight fate = case fate of
+  Escaped direction -> tracerSky traced (g (sightFrequency sight)) direction
+  Captured -> black
+  Opaque -> black
+  StepLimit -> black
+  where
+    scene = tracerScene traced
     g = case sceneSpacetime scene of
       Flat -> const 1
-      Schwarzschild -> skyShift (sceneShifts scene) (XYZ.norm place) . sightFrequency
+      Schwarzschild -> skyShift (sceneShifts scene) (XYZ.norm (tracedPlace traced))
+
+-- | Where the camera stands.
+tracedPlace :: Tracer -> XYZ
+tracedPlace = posePosition . cameraPose . sceneCamera . tracerScene
 
 -- | Where in its pixel a sample is taken. A single one sits in the middle;
 -- several are jittered within the cells of a grid, hashed from the seed, the

@@ -41,8 +41,10 @@ spec = do
     it "is brighter and bluer, and only with the Doppler shift" $ do
       -- Seen from +z the gas on the right (+x) recedes: it turns from +z
       -- towards +x on the near side, right-handed about +y.
-      let [left, right] = map (edgeOn (Shifts True True)) [-1, 1]
-          [left', right'] = map (edgeOn (Shifts False True)) [-1, 1]
+      let left = edgeOn (Shifts True True) (-1)
+          right = edgeOn (Shifts True True) 1
+          left' = edgeOn (Shifts False True) (-1)
+          right' = edgeOn (Shifts False True) 1
       luminance left `shouldSatisfy` (> 3 * luminance right)
       blueness left `shouldSatisfy` (> blueness right)
       luminance left' `shouldBeWithin` (1e-9 + 1e-6 * luminance right', luminance right')

@@ -1,6 +1,6 @@
 module BlackHole.Vector.XYSpec (spec) where
 
-import BlackHole.Vector.XY (XY (..), (*^), (^+^), (^-^))
+import BlackHole.Vector.XY ((*^), (^+^), (^-^))
 import qualified BlackHole.Vector.XY as XY
 import Support.Approx
 import Support.Generators

@@ -1,0 +1,107 @@
+-- | Checks of rendered pictures: the size of the shadow, the evenness of an
+-- even sky, and that the number of workers does not matter.
+module BlackHole.SelfTest.Picture
+  ( pictureChecks,
+  )
+where
+
+import BlackHole.Light.Radiance
+import BlackHole.Physics.Angle
+import BlackHole.Physics.Observer (Observer (Static))
+import BlackHole.Render.Film
+import BlackHole.Render.PixelArray (toPixelVector)
+import BlackHole.Render.Workers
+import BlackHole.Scene.Camera
+import BlackHole.Scene.Preset
+import BlackHole.Scene.Scene
+import BlackHole.Scene.Sky
+import BlackHole.SelfTest.Bisection (bisect)
+import BlackHole.SelfTest.Check
+import BlackHole.Trace.Pixel
+import BlackHole.Vector.XY (XY (..))
+import Data.Maybe (mapMaybe)
+import qualified Data.Vector.Storable as Vector
+
+-- | Renders four small pictures, about a second on one core.
+pictureChecks :: IO [Check]
+pictureChecks = do
+  shadows <- mapM shadowChecks [("3", 3, 120), ("6", 6, 60), ("20", 20, 20)]
+  same <- workersCheck
+  pure (concat shadows ++ [same])
+
+-- | The shadow that an observer at rest sees before a uniform sky, by Synge's
+-- formula sin²ψ = (27/4)(1−1/r)/r²: its edge along the middle row of the
+-- picture, as finely as doubles go, and the radius of the circle that has as
+-- many pixels as are dark in the rendered picture. Also the sky's radiance,
+-- which no lens can change (Liouville): everywhere outside the shadow it is
+-- (1−1/r)⁻² times that at infinity, in the film's single precision.
+--
+-- A pixel is dark if its middle is. The squares of these pixels cover the disk
+-- of a radius smaller by half a diagonal, and are covered by the disk of one
+-- greater by as much; so that is the limit.
+shadowChecks :: (String, Double, Double) -> IO [Check]
+shadowChecks (place, r, fieldOfView) = do
+  exposed <- exposeFilm oneWorker (const (pure ())) scene
+  let pixels = maybe [] allPixels exposed
+      dark = length (filter (== black) pixels)
+      circle = sqrt (fromIntegral dark / pi) :: Double
+      unevenness
+        | null pixels = 0 / 0
+        | otherwise = maximum (0 : [abs (v / uniform - 1) | Radiance v _ _ <- filter (/= black) pixels])
+  pure
+    [ Check ("shadow radius at r = " ++ place ++ ", edge in the picture's row (rad)") edge synge 1e-9,
+      Check ("shadow radius at r = " ++ place ++ ", dark area of the picture (rad)") (angleOf circle) synge (angleOf (reach + sqrt 0.5) - synge),
+      Check ("uniform sky at r = " ++ place ++ ", greatest relative deviation") unevenness 0 1e-6
+    ]
+  where
+    scene = shadowScene r fieldOfView
+    synge = asin (sqrt (6.75 * (1 - 1 / r)) / r)
+    uniform = (1 - 1 / r) ** (-2)
+    scale = tan (0.5 * fieldOfView * pi / 180) / middle
+    angleOf distance = atan (scale * distance)
+    reach = tan synge / scale
+    edge = case tracer scene of
+      Nothing -> 0 / 0
+      Just traced -> angleOf (bisect (\d -> sightRadiance traced (XY (middle + d) middle) == black) 0 middle)
+    middle = 0.5 * fromIntegral side
+    allPixels film = mapMaybe (uncurry (filmRadiance film)) [(x, y) | y <- [0 .. side - 1], x <- [0 .. side - 1]]
+
+-- | Pixels along a side of the pictures of the shadow.
+side :: Int
+side = 256
+
+-- | A uniform sky and a hole in the middle, no gas.
+shadowScene :: Double -> Double -> Scene
+shadowScene r fieldOfView =
+  defaultScene
+    { scenePicture = Picture side side,
+      sceneCamera =
+        Camera
+          { cameraPose = Around r (Degrees 60) (Degrees 90),
+            cameraRoll = Degrees 0,
+            cameraFieldOfView = Degrees fieldOfView
+          },
+      sceneObserver = Static,
+      sceneDisk = Nothing,
+      sceneSky = SkyUniform 1,
+      sceneSamples = 1
+    }
+
+-- | The codes of the default scene's pixels do not depend on how many workers
+-- share them.
+workersCheck :: IO Check
+workersCheck = do
+  one <- codes oneWorker
+  two <- maybe (pure []) codes (workers 2)
+  let differing = length (filter id (zipWith (/=) one two)) + abs (length one - length two)
+      value
+        | null one = 0 / 0
+        | otherwise = fromIntegral differing
+  pure (Check "one worker or two, differing bytes" value 0 0)
+  where
+    scene = defaultScene {scenePicture = Picture 64 36, sceneSamples = 1}
+    codes crew = withWorkers crew $ do
+      exposed <- exposeFilm crew (const (pure ())) scene
+      case exposed of
+        Nothing -> pure []
+        Just film -> Vector.toList . toPixelVector <$> developFilm crew (sceneExposure scene) (sceneToneMap scene) film

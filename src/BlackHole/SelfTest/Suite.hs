@@ -1,0 +1,14 @@
+-- | Every check of the self-test.
+module BlackHole.SelfTest.Suite
+  ( selfTestChecks,
+  )
+where
+
+import BlackHole.SelfTest.Check (Check)
+import BlackHole.SelfTest.Physics (physicsChecks)
+import BlackHole.SelfTest.Picture (pictureChecks)
+
+-- | The checks in the order of the table. Renders small pictures; about a
+-- second in all.
+selfTestChecks :: IO [Check]
+selfTestChecks = (physicsChecks ++) <$> pictureChecks
