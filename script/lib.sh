@@ -264,7 +264,7 @@ build_program() {
   elif [ "$way" = stack ]; then
     say "building (the first time, Stack may fetch GHC and the libraries: half an hour; see $log)"
   else
-    say 'building (the first time takes about 3 minutes)'
+    say 'building (the first time takes about 2 minutes)'
   fi
   build_or_fail '' "$@"
   # One step from the old program to the new: somebody may be starting it.
