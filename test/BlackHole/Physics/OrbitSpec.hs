@@ -92,9 +92,9 @@ sumOver :: Orbit -> Int -> Double
 sumOver o count = go count 0 0
   where
     go :: Int -> Double -> Double -> Double
-    go n phi total
-      | n <= 0 = total
-      | otherwise = phi `seq` total `seq` go (n - 1) (phi + 1e-6) (total + orbitInverseRadius o phi)
+    go n phi summed
+      | n <= 0 = summed
+      | otherwise = phi `seq` summed `seq` go (n - 1) (phi + 1e-6) (summed + orbitInverseRadius o phi)
 
 referenceSpec :: Spec
 referenceSpec = describe "reference values" $ do
