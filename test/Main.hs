@@ -1,6 +1,7 @@
 -- | Runs every specification; the tree below mirrors @src@.
 module Main (main) where
 
+import qualified BlackHole.Cli.ExplainSpec
 import qualified BlackHole.Cli.OptionsSpec
 import qualified BlackHole.Cli.RunSpec
 import qualified BlackHole.Cli.SelfTestSpec
@@ -34,8 +35,10 @@ import qualified BlackHole.Scene.ValidateSpec
 import qualified BlackHole.SelfTest.CheckSpec
 import qualified BlackHole.SelfTest.SuiteSpec
 import qualified BlackHole.SelfTest.TableSpec
+import qualified BlackHole.Trace.ExplainSpec
 import qualified BlackHole.Trace.GasSpec
 import qualified BlackHole.Trace.PixelSpec
+import qualified BlackHole.Trace.PlaneCrossingSpec
 import qualified BlackHole.Trace.SkySpec
 import qualified BlackHole.Vector.XYSpec
 import qualified BlackHole.Vector.XYZSpec
@@ -44,6 +47,7 @@ import Test.Hspec
 
 main :: IO ()
 main = hspec $ do
+  describe "BlackHole.Cli.Explain" BlackHole.Cli.ExplainSpec.spec
   describe "BlackHole.Cli.Options" BlackHole.Cli.OptionsSpec.spec
   describe "BlackHole.Cli.Run" BlackHole.Cli.RunSpec.spec
   describe "BlackHole.Cli.SelfTest" BlackHole.Cli.SelfTestSpec.spec
@@ -77,8 +81,10 @@ main = hspec $ do
   describe "BlackHole.SelfTest.Check" BlackHole.SelfTest.CheckSpec.spec
   describe "BlackHole.SelfTest.Suite" BlackHole.SelfTest.SuiteSpec.spec
   describe "BlackHole.SelfTest.Table" BlackHole.SelfTest.TableSpec.spec
+  describe "BlackHole.Trace.Explain" BlackHole.Trace.ExplainSpec.spec
   describe "BlackHole.Trace.Gas" BlackHole.Trace.GasSpec.spec
   describe "BlackHole.Trace.Pixel" BlackHole.Trace.PixelSpec.spec
+  describe "BlackHole.Trace.PlaneCrossing" BlackHole.Trace.PlaneCrossingSpec.spec
   describe "BlackHole.Trace.Sky" BlackHole.Trace.SkySpec.spec
   describe "BlackHole.Vector.XY" BlackHole.Vector.XYSpec.spec
   describe "BlackHole.Vector.XYZ" BlackHole.Vector.XYZSpec.spec

@@ -68,6 +68,7 @@ data RenderOptions = RenderOptions
     renderToneMap :: !(Maybe ToneMap),
     renderSeed :: !(Maybe Word64),
     renderThreads :: !(Maybe Int),
+    renderPixel :: !(Maybe (Int, Int)),
     renderOutput :: !FilePath
   }
   deriving (Eq, Show)
@@ -149,6 +150,7 @@ renderOptions =
     <*> optional (option (named "a tone map" [(toneMapName t, t) | t <- [minBound ..]]) (long "tone-map" <> metavar "NAME" <> help "How bright light is brought into range: none or film"))
     <*> optional (option wholeNumber (long "seed" <> metavar "N" <> help "Seed of gas and stars, a whole number"))
     <*> optional (option wholeNumber (long "threads" <> metavar "N" <> help "Workers (default: one per core); the picture is the same for any number"))
+    <*> optional (option pixelPlace (long "pixel" <> metavar "X,Y" <> help "Explain the colour of one pixel instead of rendering; 0,0 is the top left"))
     <*> strOption (long "output" <> short 'o' <> metavar "FILE" <> value "blackhole.png" <> showDefaultWith id <> help "PNG file to write")
   where
     onOff = named "on or off" [("on", True), ("off", False)]

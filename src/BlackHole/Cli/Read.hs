@@ -4,6 +4,7 @@ module BlackHole.Cli.Read
   ( number,
     wholeNumber,
     vector,
+    pixelPlace,
     named,
     readNumber,
     readVector,
@@ -33,6 +34,12 @@ wholeNumber = eitherReader $ \s -> case readMaybe (dropPlus s) of
 vector :: ReadM XYZ
 vector = eitherReader $ \s ->
   maybe (Left (notA s "X,Y,Z, three numbers with commas between them")) Right (readVector s)
+
+-- | Column and row of a pixel: two whole numbers with a comma between them.
+pixelPlace :: ReadM (Int, Int)
+pixelPlace = eitherReader $ \s -> case map (readMaybe . dropPlus) (splitOn ',' s) of
+  [Just x, Just y] | all ((< 10 ^ (18 :: Int)) . abs) [x, y] -> Right (fromInteger x, fromInteger y)
+  _ -> Left (notA s "X,Y, the column and row of a pixel")
 
 -- | One of some names, whatever its case.
 named :: String -> [(String, a)] -> ReadM a

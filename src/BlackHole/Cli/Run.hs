@@ -8,6 +8,7 @@ module BlackHole.Cli.Run
   )
 where
 
+import BlackHole.Cli.Explain (explanationLines, pixelProblems)
 import BlackHole.Cli.Options
 import BlackHole.Cli.SelfTest (runSelfTest)
 import BlackHole.Image.AtomicFile
@@ -19,6 +20,7 @@ import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Validate
 import BlackHole.SelfTest.Check (Check, checkHolds)
+import BlackHole.Trace.Explain (explainPixel)
 import Control.Exception (SomeAsyncException (..), SomeException, displayException, fromException, throwIO, try)
 import Data.Char (toLower)
 import Data.Version (showVersion)
@@ -90,6 +92,9 @@ render options
   | problem : problems <- usageProblems = complainAll UsageError (problem : problems)
   | otherwise = case resolveScene options of
     Left problems -> complainAll BadInput problems
+    Right scene | Just pixel <- renderPixel options -> case pixelProblem scene of
+      [] -> explain scene pixel
+      problems -> complainAll BadInput problems
     Right scene -> do
       crew <- maybe defaultWorkers pure (workers =<< renderThreads options)
       writable <- checkWritable output
@@ -97,6 +102,7 @@ render options
         Left problem -> complain CannotWrite ("--output: " ++ renderWriteProblem problem)
         Right () -> withWorkers crew (renderTo crew scene)
   where
+    pixelProblem scene = foldMap (pixelProblems (scenePicture scene)) (renderPixel options)
     output = renderOutput options
     usageProblems =
       [ Problem "--output" ("'" ++ output ++ "'") "a file name that ends in .png"
@@ -122,6 +128,12 @@ render options
           case written of
             Left problem -> complain CannotWrite ("--output: " ++ renderWriteProblem problem)
             Right () -> pure Done
+
+-- | One pixel explained instead.
+explain :: Scene -> (Int, Int) -> IO ExitStatus
+explain scene (x, y) = case explainPixel scene x y of
+  Just explanation -> Done <$ mapM_ putStrLn (explanationLines scene explanation)
+  Nothing -> complain InternalFault "the scene passed its checks but can't be traced"
 
 -- | How much is done, on one line that is cleared at the end.
 tellProgress :: Int -> Int -> IO ()

@@ -34,6 +34,7 @@ module BlackHole.Physics.Elliptic
   )
 where
 
+import GHC.Exts (lazy)
 import Numeric (expm1)
 
 -- | Whether the theta series run in circular or in hyperbolic functions.
@@ -212,8 +213,12 @@ tiny = 1e-305
 
 -- | @sn²@ for arguments within @[−2K, 2K]@; the hot path of a light path that
 -- comes from infinity and leaves again. Absolute error a few 1e-16.
+--
+-- The 'Modulus' goes in as a pointer, for which 'lazy' stands: it has more fields
+-- than GHC would unpack for a call, and GHC then leaves the argument and the
+-- result boxed too. (Inlined instead, it takes twice the time.)
 snSquared :: Modulus -> Double -> Double
-snSquared md x = case modulusKernel md of
+snSquared prepared !x = case modulusKernel md of
   Circular ->
     let sine = sin (modulusScale md * x)
         sine2 = sine * sine
@@ -229,17 +234,15 @@ snSquared md x = case modulusKernel md of
         root = modulusSnFactor md * (1 - v) * bMinus s p / ((1 + v) * bPlus s p)
      in root * root
   where
+    md = lazy prepared
     s = modulusSeries md
--- A 'Modulus' has more fields than GHC unpacks for a call (-fmax-worker-args);
--- inlined, the argument and the result stay unboxed: 32 bytes less a call.
-{-# INLINE snSquared #-}
 
 -- | @tan (am(x) \/ 2) = sn \/ (1 + cn)@ for arguments within @[−2K, 2K]@, with
 -- full relative accuracy near 0 and near the poles @±2K@: there @1 + cn@ has no
 -- digits left, while the half-argument form @sn dn \/ cn@ of @x\/2@, used here,
--- is a plain quotient of theta functions.
+-- is a plain quotient of theta functions. For 'lazy' see 'snSquared'.
 tanHalfAmplitude :: Modulus -> Double -> Double
-tanHalfAmplitude md x = case modulusKernel md of
+tanHalfAmplitude prepared !x = case modulusKernel md of
   Circular ->
     let t = tan (0.5 * modulusScale md * x)
         p = 2 * modulusNome md * (2 / (1 + t * t) - 1)
@@ -249,10 +252,10 @@ tanHalfAmplitude md x = case modulusKernel md of
         v = max tiny (exp (-2 * z))
      in signum x * tanhFrom z v * quotient (hyperbolicVariable md v)
   where
+    md = lazy prepared
     s = modulusSeries md
     quotient p = modulusTanFactor md * bMinus s p * tPlus s p / (bPlus s p * tMinus s p)
     {-# INLINE quotient #-}
-{-# INLINE tanHalfAmplitude #-}
 
 -- | The complete integral @K(m)@ from @m₁ ∈ [0, 1]@, by the
 -- arithmetic-geometric mean (Abramowitz and Stegun 17.6.3); infinite for

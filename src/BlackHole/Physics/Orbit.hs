@@ -141,7 +141,7 @@ data Path
 -- Data that no photon can have (@1\/b² < 0@, possible only inside the horizon)
 -- are read as @1\/b² = 0@: they arise from rounding.
 --
--- Costs about ten evaluations of 'orbitInverseRadius'.
+-- Costs some twenty evaluations of 'orbitInverseRadius'.
 orbit :: Double -> Double -> Double -> Orbit
 orbit r vr vt
   | vt == 0 || invariant >= 1e300 = radialOrbit u0 vr
@@ -276,7 +276,7 @@ outsideOrbit (Start u0 epsilon slope invariant excess) =
       | otherwise = Escapes ((2 * k - phaseAtInfinity - phase) / rate)
     turning
       | inward && m1 > 0 =
-        Just $! TurningPoint ((k - phase) / rate) (1 / rootMiddle rt)
+        Just $! TurningPoint (max 0 ((k - phase) / rate)) (1 / rootMiddle rt)
       | otherwise = Nothing
 
 -- | From inside the photon sphere with @b ≥ b_c@: out to the farthest point and
@@ -312,7 +312,7 @@ insideOrbit (Start u0 epsilon slope invariant excess) =
       | otherwise = Captured ((2 * k - phaseAtHorizon - phase) / rate)
     turning
       | not inward && m1 > 0 =
-        Just $! TurningPoint ((k - phase) / rate) (1 / rootHigh rt)
+        Just $! TurningPoint (max 0 ((k - phase) / rate)) (1 / rootHigh rt)
       | otherwise = Nothing
 
 -- | With @b < b_c@: no turning point, in or out for good.

@@ -4,6 +4,7 @@ import BlackHole.Physics.Orbit
 import BlackHole.Physics.Radii
 import Control.Monad (forM_)
 import Data.Maybe (fromMaybe, isNothing)
+import Support.Allocation (allocatedBytes, whenOptimised)
 import Support.IndependentOrbit
 import Support.Reference
 import Test.Hspec
@@ -77,6 +78,23 @@ spec = do
   regimeSpec
   independentSpec
   equationSpec
+  describe "orbitInverseRadius" $
+    it "allocates nothing" . whenOptimised $
+      forM_ [static 20 0.5, static 20 0.13, static 20 0.1, static 1.2 2, static 1.2 1] $ \l -> do
+        let o = launchOrbit l
+        _ <- allocatedBytes (sumOver o 1)
+        few <- allocatedBytes (sumOver o 1000)
+        many <- allocatedBytes (sumOver o 100000)
+        (many - few) `shouldSatisfy` (< 100000)
+
+-- | Sum of @u@ over so many angles.
+sumOver :: Orbit -> Int -> Double
+sumOver o count = go count 0 0
+  where
+    go :: Int -> Double -> Double -> Double
+    go n phi total
+      | n <= 0 = total
+      | otherwise = phi `seq` total `seq` go (n - 1) (phi + 1e-6) (total + orbitInverseRadius o phi)
 
 referenceSpec :: Spec
 referenceSpec = describe "reference values" $ do
@@ -233,6 +251,26 @@ regimeSpec = describe "regimes" $ do
         sweptAngle (orbitFate o) `shouldSatisfy` maybe True (\a -> a >= 0 && a < 100)
         map (orbitInverseRadius o) [0, 0.1 .. 50] `shouldSatisfy` all (>= -1)
         orbitInverseRadius o 0 `shouldSatisfy` nearly 1e-9 (1 / r)
+
+  it "from the photon sphere itself: no digit of the start is lost" $ do
+    -- Radius, outward component, swept angle from 60-digit arithmetic.
+    forM_
+      [ (1.5, 1e-9, 21.89121458914292802),
+        (1.5, 1e-17, 40.311895333761960152),
+        (1.500000000001, 0, 29.204346080269866731),
+        (1.50000001, 0, 19.994094619890073583)
+      ]
+      $ \(r, vr, expected) -> case orbitFate (orbit r vr 1) of
+        Escapes actual -> actual `shouldSatisfy` near 1e-13 expected
+        other -> expectationFailure (show other)
+    forM_
+      [ (1.5, -1e-9, 20.574256693551444645),
+        (1.5, -1e-17, 38.994937436837143456),
+        (1.499999999999, 0, 27.887388183343272086)
+      ]
+      $ \(r, vr, expected) -> case orbitFate (orbit r vr 1) of
+        Captured actual -> actual `shouldSatisfy` near 1e-13 expected
+        other -> expectationFailure (show other)
 
   it "critical in every bit: circles" $ do
     let o = orbit photonSphereRadius 0 1

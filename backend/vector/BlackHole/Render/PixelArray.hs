@@ -17,11 +17,10 @@ where
 import BlackHole.Render.PixelShape (PixelShape, shapeHeight, shapeLength, shapeRowLength)
 import BlackHole.Render.RowCount (withRowCount)
 import BlackHole.Render.Workers (Workers, workersCount)
-import Control.Concurrent.Async (waitAny, withAsyncOn)
-import Control.Exception (onException)
+import Control.Concurrent.Async (replicateConcurrently_)
 import Control.Monad (when)
 import Control.Monad.ST (ST, stToIO)
-import Data.IORef (atomicModifyIORef', atomicWriteIORef, newIORef)
+import Data.IORef (atomicModifyIORef', newIORef)
 import Data.Vector.Storable (Storable, Vector)
 import qualified Data.Vector.Storable as Vector
 import Data.Vector.Storable.Mutable (MVector)
@@ -77,30 +76,9 @@ generateRows crew progress shape fillRow = do
             MVector.slice (y * shapeRowLength shape) (shapeRowLength shape) pixels
           rowFinished
           worker rowFinished
-      -- So that nobody begins another row while the first to be stopped ends
-      -- its own.
-      noMoreRows = atomicWriteIORef nextRow (shapeHeight shape)
-  withRowCount (shapeHeight shape) progress $ \rowFinished ->
-    runCopies (workersCount crew) (worker rowFinished) noMoreRows
+  withRowCount (shapeHeight shape) progress $
+    replicateConcurrently_ (min (workersCount crew) (shapeHeight shape)) . worker
   PixelArray shape <$> Vector.unsafeFreeze pixels
-
--- | @runCopies n job failing@ runs a job in n threads at once and waits for all
--- of them. After an exception of one of them or of the caller, it runs
--- @failing@, stops the others and rethrows.
---
--- Each thread is bound to a processor: the scheduler, left to itself, often
--- keeps all threads on one as long as they allocate nothing (measured: no
--- speed-up from two processors in half of the runs).
-runCopies :: Int -> IO () -> IO () -> IO ()
-runCopies n job failing = start 0 []
-  where
-    start i running
-      | i < n = withAsyncOn i job $ \copy -> start (i + 1) (copy : running)
-      | otherwise = await running `onException` failing
-    await [] = pure ()
-    await running = do
-      (done, ()) <- waitAny running
-      await (filter (/= done) running)
 
 -- | An array of the given shape on the vector's own memory, without copying;
 -- 'Nothing' if the vector's length is another than the shape's.

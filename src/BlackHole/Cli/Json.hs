@@ -1,0 +1,63 @@
+-- | Numbers as text that loses nothing, and JSON (RFC 8259).
+module BlackHole.Cli.Json
+  ( Json (..),
+    renderJson,
+    showDouble,
+  )
+where
+
+import Data.Char (isControl, ord)
+import Data.List (intercalate, stripPrefix)
+import Numeric (showFFloat, showHex)
+
+-- | A JSON value.
+data Json
+  = Null
+  | -- | Not finite: written as @null@, since JSON has no such numbers.
+    Number !Double
+  | Whole !Int
+  | Text !String
+  | List ![Json]
+  | Object ![(String, Json)]
+  deriving (Eq, Show)
+
+-- | Indented text with a line end. Linear in its length.
+renderJson :: Json -> String
+renderJson json = go "" json ++ "\n"
+  where
+    go indent value = case value of
+      Null -> "null"
+      Number d
+        | isNaN d || isInfinite d -> "null"
+        | otherwise -> showDouble d
+      Whole n -> show n
+      Text s -> quoted s
+      List items -> block indent '[' ']' [(`go` item) | item <- items]
+      Object members ->
+        block indent '{' '}' [\i -> quoted name ++ ": " ++ go i item | (name, item) <- members]
+    block :: String -> Char -> Char -> [String -> String] -> String
+    block _ open close [] = [open, close]
+    block indent open close parts =
+      let inner = "  " ++ indent
+       in [open] ++ "\n" ++ intercalate ",\n" [inner ++ part inner | part <- parts] ++ "\n" ++ indent ++ [close]
+
+quoted :: String -> String
+quoted s = "\"" ++ concatMap escaped s ++ "\""
+  where
+    escaped c
+      | c == '"' || c == '\\' = ['\\', c]
+      | isControl c && ord c < 0x20 = "\\u" ++ reverse (take 4 (reverse ("0000" ++ showHex (ord c) "")))
+      | otherwise = [c]
+
+-- | The shortest decimal that reads back as the same number, so with up to 17
+-- significant digits; whole numbers without a point. @NaN@ and @Infinity@ as
+-- Haskell writes them.
+showDouble :: Double -> String
+showDouble d
+  | isNaN d || isInfinite d = show d
+  | d == 0 = "0"
+  | abs d >= 1e-4 && abs d < 1e16 = withoutPoint (showFFloat Nothing d "")
+  | otherwise = case break (== 'e') (show d) of
+    (digits, power) -> withoutPoint digits ++ power
+  where
+    withoutPoint s = maybe s reverse (stripPrefix "0." (reverse s))

@@ -1,0 +1,229 @@
+-- | The figure of parallel light rays on their way around the hole.
+module BlackHole.Figure.RayFan
+  ( RayFan (..),
+    defaultRayFan,
+    fanImpactParameters,
+    RayClass (..),
+    classifyRay,
+    rayFanFigure,
+  )
+where
+
+import BlackHole.Figure.Figure
+import BlackHole.Physics.Angle (Radians (..))
+import BlackHole.Physics.Course
+import BlackHole.Physics.Orbit (OrbitFate (..))
+import BlackHole.Physics.Photon (Photon (..))
+import BlackHole.Physics.Radii
+import BlackHole.Vector.XY (XY (..))
+import qualified BlackHole.Vector.XY as XY
+import BlackHole.Vector.XYZ (XYZ (..))
+import Numeric (showFFloat)
+
+-- | What the figure shows.
+data RayFan = RayFan
+  { -- | How many rays.
+    fanRays :: !Int,
+    -- | Half of the figure's width in Schwarzschild radii, at least 4: the
+    -- critical impact parameter has to fit into three quarters of it.
+    fanExtent :: !Double,
+    -- | Width of the whole figure in pixels.
+    fanWidth :: !Int
+  }
+  deriving (Eq, Show)
+
+-- | 31 rays, eight radii to either side, 1200 pixels.
+defaultRayFan :: RayFan
+defaultRayFan = RayFan 31 8 1200
+
+-- | Height of the plotted rectangle over its width.
+aspect :: Double
+aspect = 0.75
+
+-- | The signed impact parameters of the rays, from the lowest up. From eight
+-- rays on, four of them pass within a thousandth of the critical one, on both
+-- sides of it and of the hole; the others are evenly spaced over the figure's
+-- height.
+fanImpactParameters :: RayFan -> [Double]
+fanImpactParameters (RayFan count extent _)
+  | count < 8 = spread count
+  | otherwise = merge (spread (count - 4)) critical
+  where
+    top = 0.96 * aspect * extent
+    spread n
+      | n <= 1 = [0 | n == 1]
+      | otherwise = [top * (2 * fromIntegral k / fromIntegral (n - 1) - 1) | k <- [0 .. n - 1]]
+    critical = [s * criticalImpactParameter * f | (s, f) <- [(-1, 1.001), (-1, 0.999), (1, 0.999), (1, 1.001)]]
+    merge (a : as) (b : bs)
+      | a <= b = a : merge as (b : bs)
+      | otherwise = b : merge (a : as) bs
+    merge as bs = as ++ bs
+
+-- | The colours of rays.
+data RayClass
+  = -- | It leaves again.
+    Escaping
+  | -- | It falls in.
+    Falling
+  | -- | It goes around the hole at least once, whatever its end.
+    Winding
+  deriving (Eq, Show, Enum, Bounded)
+
+-- | Which one a ray from infinity with this impact parameter (at least 0) is.
+classifyRay :: Double -> RayClass
+classifyRay = classOf . courseFromInfinity fanSight
+
+classOf :: Course -> RayClass
+classOf course = case courseFate course of
+  Escapes angle | angle < 2 * pi -> Escaping
+  Captured angle | angle < 2 * pi -> Falling
+  _ -> Winding
+
+-- | The rays lie in the plane of this line of sight. It comes from +y, which
+-- the figure turns to its left edge.
+fanSight :: Sight
+fanSight = Sight (Radians 0) (Radians 0)
+
+-- | The figure: rays from the left edge, the hole, the photon sphere, the
+-- critical impact parameter, axes in Schwarzschild radii, and a legend.
+rayFanFigure :: RayFan -> Figure
+rayFanFigure fan@(RayFan _ extent width) =
+  Figure
+    { figureWidth = width,
+      figureHeight = ceiling (top + plotHeight + 3.4 * font),
+      figureTitle = "Parallel light rays from infinity around a black hole, lengths in Schwarzschild radii",
+      figureShapes =
+        [Clipped plot (concatMap drawnRay drawingOrder ++ asymptotes ++ hole), frame]
+          ++ concatMap xTick ticks
+          ++ concatMap yTick yTicks
+          ++ titles
+          ++ legend
+          ++ marks
+    }
+  where
+    w = fromIntegral width
+    font = w / 58
+    left = 4 * font
+    top = 3.2 * font
+    plotWidth = w - left - 1.2 * font
+    plotHeight = aspect * plotWidth
+    unit = plotWidth / (2 * extent)
+    plot = Box left top plotWidth plotHeight
+    at x y = XY (left + 0.5 * plotWidth + unit * x) (top + 0.5 * plotHeight - unit * y)
+    hairline = max 0.8 (w / 1200)
+
+    -- Winding rays on top: they share their way with others.
+    drawingOrder =
+      [ (kind, course, b < 0)
+        | kind <- [Escaping, Falling, Winding],
+          b <- fanImpactParameters fan,
+          let course = courseFromInfinity fanSight (abs b),
+          classOf course == kind
+      ]
+    drawnRay (kind, course, mirrored) =
+      case map (spot mirrored) (coursePoints (1.6 * extent) 0.03 course) of
+        [] -> []
+        points -> Polyline (Stroke (classColour kind) (1.9 * hairline) Nothing) points : arrowOn (classColour kind) points
+    spot mirrored (CoursePoint _ (Photon (XYZ x y _) _)) = at (negate y) (if mirrored then negate x else x)
+
+    -- Where a ray first passes a line left of the hole, pointing onward.
+    arrowOn colour points =
+      take
+        1
+        [ Polygon colour [XY (x + 0.45 * font) y, XY (x - 0.3 * font) (y + 0.28 * font), XY (x - 0.3 * font) (y - 0.28 * font)]
+          | (p@(XY px _), q@(XY qx _)) <- zip points (drop 1 points),
+            px < arrowLine,
+            qx >= arrowLine,
+            let XY x y = XY.lerp ((arrowLine - px) / (qx - px)) p q
+        ]
+    XY arrowLine _ = at (-0.56 * extent) 0
+
+    asymptotes =
+      [ Polyline (Stroke ink (1.5 * hairline) (Just (7 * hairline, 5 * hairline))) [at (-extent) b, at extent b]
+        | b <- [criticalImpactParameter, negate criticalImpactParameter]
+      ]
+    hole =
+      [ Disc ink (at 0 0) (unit * horizonRadius),
+        Ring (Stroke ink (1.5 * hairline) (Just (4 * hairline, 5 * hairline))) (at 0 0) (unit * photonSphereRadius)
+      ]
+    marks =
+      [ Words . Label (at (-0.97 * extent) (b + rise * font / unit)) AtStart font ink True $
+          [Plain ("b = " ++ sign ++ "b"), Subscript "c", Plain (" = " ++ sign ++ decimals 3 criticalImpactParameter)]
+        | (b, sign, rise) <- [(criticalImpactParameter, "", 0.5), (negate criticalImpactParameter, "\8722", -1.15)]
+      ]
+
+    frame =
+      Polyline
+        (Stroke axisColour hairline Nothing)
+        [at (-extent) h, at extent h, at extent (-h), at (-extent) (-h), at (-extent) h]
+    h = aspect * extent
+    spacing = tickSpacing extent
+    ticks = tickPlaces extent
+    yTicks = tickPlaces h
+    tickPlaces reach =
+      let n = floor (reach / spacing * (1 + 1e-9)) :: Int
+       in [spacing * fromIntegral k | k <- [-n .. n]]
+    tick = 0.4 * font
+    xTick x =
+      let XY px py = at x (-h)
+       in [ Polyline (Stroke axisColour hairline Nothing) [XY px py, XY px (py + tick)],
+            plain AtMiddle (XY px (py + tick + font)) (tickText x)
+          ]
+    yTick y =
+      let XY px py = at (-extent) y
+       in [ Polyline (Stroke axisColour hairline Nothing) [XY px py, XY (px - tick) py],
+            plain AtEnd (XY (px - 1.6 * tick) (py + 0.35 * font)) (tickText y)
+          ]
+    plain anchor place s = Words (Label place anchor font axisColour False [Plain s])
+    titles =
+      [ Words (Label (let XY px py = at 0 (-h) in XY px (py + 2.9 * font)) AtMiddle font axisColour False [Plain "x / r", Subscript "s"]),
+        Words (Label (XY (0.6 * font) (top - 0.7 * font)) AtStart font axisColour False [Plain "y / r", Subscript "s"])
+      ]
+    tickText v
+      | spacing >= 1 = signed (show (round (abs v) :: Int))
+      | otherwise = signed (decimals 1 (abs v))
+      where
+        signed s = if v < -0.01 * spacing then '\8722' : s else s
+
+    legend = concat (zipWith entry [0 :: Int ..] legendEntries)
+    legendEntries =
+      [ (sampleLine (classColour Escaping) Nothing, "escapes"),
+        (sampleLine (classColour Falling) Nothing, "captured"),
+        (sampleLine (classColour Winding) Nothing, "winds around the hole"),
+        (sampleDisc, "horizon, r = 1"),
+        (sampleLine ink (Just (4 * hairline, 5 * hairline)), "photon sphere, r = 1.5")
+      ]
+    -- Room for the entries before, in sizes of the legend's font: enough for
+    -- the widest of the usual sans-serif fonts.
+    legendStart n = left + legendFont * sum (take n [7.8, 8.6, 15.4, 11 :: Double])
+    legendFont = 0.86 * font
+    entry n (sample, s) =
+      let x = legendStart n
+          y = 0.45 * top
+       in sample x y ++ [Words (Label (XY (x + 2.3 * legendFont) (y + 0.35 * legendFont)) AtStart legendFont axisColour False [Plain s])]
+    sampleLine colour gaps x y =
+      [Polyline (Stroke colour (2.2 * hairline) gaps) [XY x y, XY (x + 1.7 * legendFont) y]]
+    sampleDisc x y = [Disc ink (XY (x + 1.2 * legendFont) y) (0.5 * legendFont)]
+
+-- | Distance of the axes' numbers: 1, 2 or 5 times a power of ten that gives
+-- at most eight of them to each side.
+tickSpacing :: Double -> Double
+tickSpacing extent = firstOf [s | e <- [-1 .. 6 :: Int], m <- [1, 2, 5], let s = m * 10 ^^ e, extent / s <= 8.01]
+  where
+    firstOf candidates = case candidates of
+      s : _ -> s
+      [] -> extent
+
+decimals :: Int -> Double -> String
+decimals n v = showFFloat (Just n) v ""
+
+-- | Colours that stay apart for the colour-blind (after Okabe and Ito).
+classColour :: RayClass -> Colour
+classColour kind = case kind of
+  Escaping -> Colour 0 114 178
+  Falling -> Colour 213 94 0
+  Winding -> Colour 0 158 115
+
+ink, axisColour :: Colour
+ink = Colour 26 28 34
+axisColour = Colour 70 74 84

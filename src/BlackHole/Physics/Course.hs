@@ -1,0 +1,348 @@
+-- | Whole light paths laid out in space, in closed form: where they run, where
+-- they cross the disk's plane and how gas there is shifted, for light from
+-- infinity and for the line of sight of a camera at rest.
+--
+-- A path lies in the plane of two unit vectors, the direction of its start and
+-- the direction in which it leaves that one; after the swept angle φ it is at
+-- @r(φ) (cos φ e₁ + sin φ e₂)@, with @r(φ)@ from "BlackHole.Physics.Orbit".
+-- Paths are followed from the observer, against the light.
+module BlackHole.Physics.Course
+  ( -- * Paths
+    Course,
+    courseFromInfinity,
+    courseFromCamera,
+    courseFromPhoton,
+    Sight (..),
+    courseFate,
+    courseImpactParameter,
+    courseClosestApproach,
+    courseDeflection,
+    courseStartRadius,
+    courseObserved,
+
+    -- * Points along them
+    CoursePoint (..),
+    coursePoints,
+    courseEntry,
+
+    -- * The disk's plane
+    Crossing (..),
+    courseCrossings,
+    courseMeetsPlane,
+    planeAzimuth,
+  )
+where
+
+import BlackHole.Physics.Angle
+import BlackHole.Physics.GasMotion (gasVelocity)
+import BlackHole.Physics.Orbit
+import BlackHole.Physics.Photon
+import BlackHole.Physics.Redshift
+import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^), (^-^))
+import qualified BlackHole.Vector.XYZ as XYZ
+import Data.Maybe (fromMaybe, mapMaybe)
+
+-- | A light path from its start to its end.
+data Course = Course
+  { -- | e₁, unit length.
+    courseOutset :: !XYZ,
+    -- | e₂, unit length, perpendicular to e₁.
+    courseOnward :: !XYZ,
+    -- | Where the path ends, and the angle (radians) swept from the start up
+    -- to there: to infinity or to the horizon.
+    courseFate :: !OrbitFate,
+    -- | In Schwarzschild radii; 0 for a radial path, which sweeps no angle.
+    courseImpactParameter :: !Double,
+    -- | The closest point, where the path turns from inward to outward.
+    courseClosestApproach :: !(Maybe Double),
+    -- | Radians swept beyond what a straight line in the same direction would
+    -- have swept, π from infinity and π − ψ from a camera; 'Nothing' for a path
+    -- that ends in the hole. For light from infinity this is the angle by
+    -- which it is turned.
+    courseDeflection :: !(Maybe Double),
+    -- | Radius of the start; 'Nothing' for infinity.
+    courseStartRadius :: !(Maybe Double),
+    -- | Swept angle of the closest or farthest point after the start.
+    courseTurn :: !(Maybe Double),
+    -- | Frequency at the observer over that at infinity.
+    courseObserved :: !Double,
+    -- | @1\/r@ and its slope by swept angle.
+    courseInverse :: Double -> (Double, Double)
+  }
+
+-- | From where in relation to the disk somebody looks, and in which direction
+-- around the hole's centre.
+data Sight = Sight
+  { -- | Angle of the observer's place from the disk's axis @+y@. His place is
+    -- @r (0, cos i, sin i)@ and @+x@ is to his right.
+    sightInclination :: !Radians,
+    -- | Position angle of the line of sight about the hole's centre in the
+    -- picture, from right towards up.
+    sightPositionAngle :: !Radians
+  }
+  deriving (Eq, Show)
+
+-- | e₁ and e₂ of a line of sight. What a right angle leaves over by rounding
+-- is taken off, so that a place in the disk's plane is exactly there.
+sightPlane :: Sight -> (XYZ, XYZ)
+sightPlane (Sight (Radians i) (Radians eta)) =
+  (XYZ 0 (cosine i) (sine i), cosine eta *^ right ^+^ sine eta *^ up)
+  where
+    right = XYZ 1 0 0
+    up = XYZ 0 (sine i) (negate (cosine i))
+    cosine = withoutRounding . cos
+    sine = withoutRounding . sin
+
+-- | A sine or cosine that is zero but for rounding.
+withoutRounding :: Double -> Double
+withoutRounding v = if abs v < 4e-16 then 0 else v
+
+-- | The line of sight of a far observer at rest that passes the hole at an
+-- impact parameter (at least 0, Schwarzschild radii): equally, light from
+-- infinity.
+--
+-- For the two or three numbers next to @3√3\/2@ that no formula can tell from
+-- it, the shape of a captured path is that of the next smaller number.
+courseFromInfinity :: Sight -> Double -> Course
+courseFromInfinity sight b = case (closestApproach b, deflectionAngle b) of
+  (Just nearest, Just deflection) ->
+    -- The path is its own mirror image about the closest point.
+    let half = orbit nearest 0 1
+        sweep = pi + deflection
+        inverse angle =
+          let past = angle - 0.5 * sweep
+              (u, slope) = orbitInverseRadiusAndSlope half (abs past)
+           in (u, signum past * slope)
+     in laidOut
+          { courseFate = Escapes sweep,
+            courseClosestApproach = Just nearest,
+            courseDeflection = Just deflection,
+            courseTurn = Just (0.5 * sweep),
+            courseInverse = inverse
+          }
+  _ ->
+    -- Backwards from the horizon, where the slope is exactly 1/b.
+    let outgoing = orbit 1 1 (min b 2.598076211353314)
+        sweep = case orbitFate outgoing of
+          Escapes angle -> angle
+          _ -> 0
+        inverse angle =
+          let (u, slope) = orbitInverseRadiusAndSlope outgoing (max 0 (sweep - angle))
+           in (u, negate slope)
+     in laidOut {courseFate = Captured sweep, courseInverse = inverse}
+  where
+    (e1, e2) = sightPlane sight
+    laidOut =
+      Course
+        { courseOutset = e1,
+          courseOnward = e2,
+          courseFate = Circles,
+          courseImpactParameter = if b < 1e-150 then 0 else b,
+          courseClosestApproach = Nothing,
+          courseDeflection = Nothing,
+          courseStartRadius = Nothing,
+          courseTurn = Nothing,
+          courseObserved = distantObserver,
+          courseInverse = const (0, 0)
+        }
+
+-- | @courseFromCamera sight r ψ@: the line of sight of an observer at rest at
+-- the radius @r@ at the angle ψ in [0, π] from the direction of the hole's
+-- centre. 'Nothing' at and inside the horizon.
+courseFromCamera :: Sight -> Double -> Radians -> Maybe Course
+courseFromCamera sight r (Radians psi) = do
+  observed <- staticObserver r
+  let path = orbit r (negate (withoutRounding (cos psi)) * sqrt ((r - 1) / r)) (sin (min psi (pi - psi)))
+  pure (alongOrbit observed (sightPlane sight) r (pi - psi) path)
+
+-- | The rest of a photon's path from where it is, for light that an observer
+-- of the given frequency (over that at infinity) receives. Its deflection
+-- counts from the present pseudo-velocity.
+courseFromPhoton :: Double -> Photon -> Course
+courseFromPhoton observed (Photon place velocity) =
+  alongOrbit observed (e1, e2) r (atan2 tangential radial) (orbit r radial tangential)
+  where
+    r = XYZ.norm place
+    e1 = (1 / r) *^ place
+    radial = XYZ.dot velocity e1
+    across = velocity ^-^ radial *^ e1
+    tangential = XYZ.norm across
+    -- A radial path sweeps no angle, and any direction serves.
+    e2 = fromMaybe (XYZ 1 0 0) (XYZ.normalize across)
+
+-- | A path from its starting radius; the fourth argument is what a straight
+-- line would sweep.
+alongOrbit :: Double -> (XYZ, XYZ) -> Double -> Double -> Orbit -> Course
+alongOrbit observed (e1, e2) r straight path =
+  Course
+    { courseOutset = e1,
+      courseOnward = e2,
+      courseFate = orbitFate path,
+      courseImpactParameter = orbitImpactParameter path,
+      courseClosestApproach = orbitClosestApproach path,
+      courseDeflection = case orbitFate path of
+        Escapes angle -> Just (angle - straight)
+        _ -> Nothing,
+      courseStartRadius = Just r,
+      courseTurn = turningAngle <$> orbitTurningPoint path,
+      courseObserved = observed,
+      courseInverse = orbitInverseRadiusAndSlope path
+    }
+
+-- | A point of a path.
+data CoursePoint = CoursePoint
+  { -- | Radians swept from the start of the path.
+    pointSweptAngle :: !Double,
+    -- | Its place, and the pseudo-velocity there for unit energy at infinity.
+    pointPhoton :: !Photon
+  }
+  deriving (Eq, Show)
+
+pointAt :: Course -> Double -> CoursePoint
+pointAt course angle =
+  CoursePoint angle $
+    Photon ((1 / u) *^ outward) (negate (b * slope) *^ outward ^+^ (b * u) *^ onward)
+  where
+    (u, slope) = courseInverse course angle
+    b = courseImpactParameter course
+    c = cos angle
+    s = sin angle
+    outward = c *^ courseOutset course ^+^ s *^ courseOnward course
+    onward = c *^ courseOnward course ^-^ s *^ courseOutset course
+
+-- | @coursePoints farthest step course@: points along the part of the path
+-- within a radius (or within the start's, if that is greater), from one end of
+-- it to the other, no farther apart than a fraction of their radius. Empty if
+-- the path stays outside; a path that never ends is followed for four turns.
+-- Linear in the number of points, about @ln (farthest) \/ step@ and @2π \/ step@
+-- per turn, and never above 100 000.
+coursePoints :: Double -> Double -> Course -> [CoursePoint]
+coursePoints farthest step course
+  | courseImpactParameter course == 0 = radialPoints
+  | otherwise = case range of
+    Just (from, to) | to > from -> take 100000 (go from to)
+    _ -> []
+  where
+    limit = maybe farthest (max farthest) (courseStartRadius course)
+    radius angle = 1 / fst (courseInverse course angle)
+    go angle to
+      | angle >= to = [pointAt course to]
+      | otherwise =
+        let (u, slope) = courseInverse course angle
+         in pointAt course angle : go (angle + step * u / sqrt (u * u + slope * slope)) to
+    range = (,) <$> rangeStart <*> rangeEnd
+    rangeStart = case courseStartRadius course of
+      Just _ -> Just 0
+      Nothing -> entryAngle limit course
+    rangeEnd = case courseFate course of
+      Captured angle -> Just angle
+      Circles -> Just (endAngle course)
+      Escapes angle ->
+        let outward = fromMaybe 0 (courseTurn course)
+         in if radius outward > limit
+              then Nothing
+              else Just (bisect (\a -> radius a < limit && fst (courseInverse course a) > 0) outward angle)
+    radialPoints = case courseFate course of
+      Escapes _ -> [radialPoint r 1 | r <- ladder start limit]
+      _ -> [radialPoint r (-1) | r <- reverse (ladder 1 start)]
+    start = fromMaybe limit (courseStartRadius course)
+    radialPoint r v = CoursePoint 0 (Photon (r *^ courseOutset course) (v *^ courseOutset course))
+    ladder low high =
+      let n = max 1 (ceiling (log (high / low) / step)) :: Int
+       in [low * (high / low) ** (fromIntegral k / fromIntegral n) | k <- [0 .. n]]
+
+-- | Where a path begins or, if that is at infinity, where it first comes within
+-- a radius. 'Nothing' for a path from infinity that never does.
+courseEntry :: Double -> Course -> Maybe CoursePoint
+courseEntry limit course = case (courseStartRadius course, courseImpactParameter course == 0) of
+  (Just r, True) -> Just (radial r)
+  (Nothing, True) -> Just (radial limit)
+  (Just _, False) -> Just (pointAt course 0)
+  (Nothing, False) -> pointAt course <$> entryAngle limit course
+  where
+    radial r =
+      CoursePoint 0 (Photon (r *^ courseOutset course) (direction *^ courseOutset course))
+    direction = case courseFate course of
+      Escapes _ -> 1
+      _ -> -1
+
+-- | The swept angle at which a path from infinity comes within a radius.
+entryAngle :: Double -> Course -> Maybe Double
+entryAngle limit course
+  | within inmost = Just (bisect (not . within) 0 inmost)
+  | otherwise = Nothing
+  where
+    within angle = fst (courseInverse course angle) * limit >= 1
+    inmost = fromMaybe (endAngle course) (courseTurn course)
+
+-- | Of a path without end, four turns count.
+endAngle :: Course -> Double
+endAngle course = case courseFate course of
+  Escapes angle -> angle
+  Captured angle -> angle
+  Circles -> 8 * pi
+
+-- | The place in an interval where a condition stops to hold, to the last bit.
+bisect :: (Double -> Bool) -> Double -> Double -> Double
+bisect holds = go (200 :: Int)
+  where
+    go n low high
+      | n <= 0 || middle <= low || middle >= high = low
+      | holds middle = go (n - 1) middle high
+      | otherwise = go (n - 1) low middle
+      where
+        middle = 0.5 * (low + high)
+
+-- | Where a path crosses the disk's plane @y = 0@ outside the horizon.
+data Crossing = Crossing
+  { -- | Schwarzschild radii.
+    crossingRadius :: !Double,
+    -- | @atan2 z x@ in [−π, π), radians.
+    crossingAzimuth :: !Double,
+    -- | @ν_obs\/ν_em@ of light from gas there on its way to the observer.
+    crossingRedshift :: !Double
+  }
+  deriving (Eq, Show)
+
+-- | The azimuth of a place in the disk's plane. The seam is closed: what lies
+-- there but for rounding has −π.
+planeAzimuth :: XYZ -> Double
+planeAzimuth (XYZ x _ z)
+  | angle > 3.141592653589792 = -pi
+  | otherwise = angle
+  where
+    angle = atan2 z x
+
+-- | Whether the path lies across the disk's plane, not in it.
+courseMeetsPlane :: Course -> Bool
+courseMeetsPlane course = max (abs a) (abs b) > 1e-12
+  where
+    XYZ _ a _ = courseOutset course
+    XYZ _ b _ = courseOnward course
+
+-- | All crossings, in the order in which the path followed from the observer
+-- meets them; the start itself does not count. None for a path that lies in
+-- the plane, and those of four turns for one that never ends. The height is @r (e₁ cos φ + e₂ sin φ)·y@, so that crossings lie
+-- at a first angle and half a turn apart.
+courseCrossings :: Course -> [Crossing]
+courseCrossings course
+  | not (courseMeetsPlane course) || courseImpactParameter course == 0 = []
+  | otherwise = mapMaybe crossing (takeWhile (< end) (take 1000 (iterate (+ pi) firstAngle)))
+  where
+    e1@(XYZ _ height1 _) = courseOutset course
+    e2@(XYZ _ height2 _) = courseOnward course
+    end = endAngle course
+    firstAngle =
+      let angle = atan2 (negate height1) height2
+          upward = if angle < 0 then angle + pi else angle
+       in if upward < 1e-12 then upward + pi else upward
+    b = courseImpactParameter course
+    XYZ _ normal _ = XYZ.cross e1 e2
+    crossing angle = do
+      let (u, slope) = courseInverse course angle
+          r = 1 / u
+          -- The light itself runs the other way.
+          sense = if slope > 0 then Outward else Inward
+      gas <- if u > 0 then gasVelocity r 0 else Nothing
+      pure . Crossing r (planeAzimuth (cos angle *^ e1 ^+^ sin angle *^ e2)) $
+        redshiftFactor (courseObserved course) gas (photonMomentum sense (b * b) (negate (b * normal)) r)

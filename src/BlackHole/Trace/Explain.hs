@@ -1,0 +1,166 @@
+{-# LANGUAGE BangPatterns #-}
+
+-- | Why a pixel looks as it does: the numbers between its place in the picture
+-- and its colour, from the functions that render it.
+module BlackHole.Trace.Explain
+  ( Explanation (..),
+    Sighting (..),
+    Arrival (..),
+    opticalDepth,
+    Shown (..),
+    explainPixel,
+    shownAs,
+  )
+where
+
+import BlackHole.Light.Display
+import BlackHole.Light.Radiance
+import BlackHole.Physics.Fate (Fate)
+import BlackHole.Physics.LightPath
+import BlackHole.Physics.Observer (SightLine (..))
+import BlackHole.Physics.Photon (angularMomentum)
+import BlackHole.Scene.Camera (Picture (..))
+import BlackHole.Scene.Scene
+import BlackHole.Trace.Gas
+import BlackHole.Trace.Pixel
+import BlackHole.Trace.PlaneCrossing
+import BlackHole.Vector.XY (XY (..))
+import BlackHole.Vector.XYZ (XYZ)
+import Data.Word (Word8)
+
+-- | All about one pixel.
+data Explanation = Explanation
+  { -- | Column and row, from 0 at the top left.
+    explainedPixel :: !(Int, Int),
+    -- | The line of sight through the pixel's middle.
+    explainedMiddle :: !Sighting,
+    -- | The lines of sight that are rendered; with one sample, the middle.
+    explainedSamples :: ![Sighting],
+    -- | Their mean: the pixel's radiance on the film.
+    explainedRadiance :: !Radiance,
+    explainedShown :: !Shown
+  }
+  deriving (Eq, Show)
+
+-- | One line of sight.
+data Sighting = Sighting
+  { -- | The point of the picture it goes through, in pixels.
+    sightingPoint :: !XY,
+    -- | Its direction for the observer, unit length.
+    sightingDirection :: !XYZ,
+    -- | 'Nothing' where no light arrives from outside ('sightLine').
+    sightingArrival :: !(Maybe Arrival),
+    -- | The light that is seen, 'sightRadiance'.
+    sightingRadiance :: !Radiance
+  }
+  deriving (Eq, Show)
+
+-- | The light that arrives along a line of sight. Followed against the light.
+data Arrival = Arrival
+  { -- | @x × v@ at the camera for unit energy at infinity; its length is the
+    -- impact parameter in Schwarzschild radii.
+    arrivalAngularMomentum :: !XYZ,
+    -- | The observer's frequency over that at infinity.
+    arrivalFrequency :: !Double,
+    arrivalFate :: !Fate,
+    arrivalCrossings :: ![PlaneCrossing],
+    -- | Steps of the integrator.
+    arrivalSteps :: !Int,
+    -- | Stretches of the path in which there was gas.
+    arrivalGasSamples :: !Int,
+    -- | The part of the light from behind the gas that gets through.
+    arrivalTransmittance :: !Double,
+    -- | From the gas, as it reaches the camera.
+    arrivalGas :: !Radiance,
+    -- | From the sky, before the gas.
+    arrivalSky :: !Radiance
+  }
+  deriving (Eq, Show)
+
+-- | Of the gas passed: −ln of the transmittance, 0 or more, infinite where
+-- nothing gets through.
+opticalDepth :: Arrival -> Double
+opticalDepth light = negate (log (arrivalTransmittance light)) + 0
+
+-- | What a display makes of radiance.
+data Shown = Shown
+  { shownExposed :: !Radiance,
+    -- | Linear, each amount within 0…1.
+    shownToneMapped :: !Radiance,
+    -- | 8-bit sRGB.
+    shownCodes :: !(Word8, Word8, Word8)
+  }
+  deriving (Eq, Show)
+
+-- | Explain the pixel in a column and a row. 'Nothing' outside the picture, and
+-- for a scene that cannot be traced ('tracer'). As much work as three such
+-- pixels.
+explainPixel :: Scene -> Int -> Int -> Maybe Explanation
+explainPixel scene column row
+  | column < 0 || row < 0 || column >= width || row >= height = Nothing
+  | otherwise = do
+    traced <- tracer scene
+    let radiance = pixelRadiance traced column row
+    pure
+      Explanation
+        { explainedPixel = (column, row),
+          explainedMiddle = sighting scene traced (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)),
+          explainedSamples =
+            [ sighting scene traced (samplePoint scene column row index)
+              | index <- [0 .. sceneSamples scene - 1]
+            ],
+          explainedRadiance = radiance,
+          explainedShown = shownAs scene radiance
+        }
+  where
+    Picture width height = scenePicture scene
+
+sighting :: Scene -> Tracer -> XY -> Sighting
+sighting scene traced point =
+  Sighting
+    { sightingPoint = point,
+      sightingDirection = tracedDirection traced point,
+      sightingArrival = arrival scene traced <$> tracedSight traced point,
+      sightingRadiance = sightRadiance traced point
+    }
+
+-- | What is gathered, and how many stretches added to it.
+data Counted = Counted !Int !Gathered
+
+arrival :: Scene -> Tracer -> SightLine -> Arrival
+arrival scene traced sight@(SightLine photon observed) =
+  case followSight scene sight count (Counted 0 nothingYet) of
+    Followed fate (Counted samples (Gathered light transmittance)) steps ->
+      Arrival
+        { arrivalAngularMomentum = angularMomentum photon,
+          arrivalFrequency = observed,
+          arrivalFate = fate,
+          arrivalCrossings = planeCrossings scene sight,
+          arrivalSteps = steps,
+          arrivalGasSamples = samples,
+          arrivalTransmittance = transmittance,
+          arrivalGas = light,
+          arrivalSky = tracedSky traced sight fate
+        }
+  where
+    !shade = tracedGas traced observed
+    count (Counted n before) stretch = case shade before stretch of
+      Onward after -> Onward (Counted (n + added before after) after)
+      Hidden after -> Hidden (Counted (n + added before after) after)
+    added (Gathered light transmittance) (Gathered light' transmittance')
+      | light == light' && transmittance == transmittance' = 0
+      | otherwise = 1
+
+-- | The steps from radiance to codes, by way of the film, which keeps single
+-- precision.
+shownAs :: Scene -> Radiance -> Shown
+shownAs scene radiance =
+  Shown
+    { shownExposed = exposed,
+      shownToneMapped = applyToneMap (sceneToneMap scene) exposed,
+      shownCodes = displayCode (sceneExposure scene) (sceneToneMap scene) onFilm
+    }
+  where
+    onFilm = mapRadiance single radiance
+    exposed = expose (sceneExposure scene) onFilm
+    single v = realToFrac (realToFrac v :: Float)

@@ -1,0 +1,115 @@
+-- | Where a line of sight crosses the disk's plane @y = 0@, and how light from
+-- gas there would be shifted.
+module BlackHole.Trace.PlaneCrossing
+  ( PlaneCrossing (..),
+    planeCrossings,
+  )
+where
+
+import BlackHole.Physics.Leapfrog (followLeapfrog)
+import BlackHole.Physics.LightPath
+import BlackHole.Physics.Observer (SightLine (..))
+import BlackHole.Physics.Orbit
+import BlackHole.Physics.Photon
+import BlackHole.Physics.Redshift (RedshiftParts, gasRedshift)
+import BlackHole.Physics.Spacetime (Spacetime (..))
+import BlackHole.Scene.Scene
+import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^), (^-^))
+import qualified BlackHole.Vector.XYZ as XYZ
+import Data.Maybe (maybeToList)
+
+-- | One crossing.
+data PlaneCrossing = PlaneCrossing
+  { -- | Schwarzschild radii.
+    crossingRadius :: !Double,
+    -- | @atan2 z x@, radians.
+    crossingAzimuth :: !Double,
+    -- | The shift of light from gas there on its way to the observer, as the
+    -- renderer computes it; 'Nothing' at and inside the horizon.
+    crossingShift :: !(Maybe RedshiftParts)
+  }
+  deriving (Eq, Show)
+
+-- | All crossings along the whole path, in the order in which they are met
+-- from the camera, whether or not gas hides them. The camera's own place does
+-- not count, and neither does a path that lies in the plane.
+--
+-- Exact orbits give them in closed form; the leapfrog's are interpolated
+-- between its steps, with an error of its own order.
+planeCrossings :: Scene -> SightLine -> [PlaneCrossing]
+planeCrossings scene (SightLine photon observed) =
+  map (crossingAt observed) $ case (sceneIntegrator scene, sceneSpacetime scene) of
+    (Leapfrogging, _) -> leapfrogCrossings scene photon
+    (Exact, Schwarzschild) -> orbitCrossings photon
+    (Exact, Flat) -> maybeToList (straightCrossing photon)
+
+crossingAt :: Double -> Photon -> PlaneCrossing
+crossingAt observed (Photon place@(XYZ x _ z) velocity) =
+  PlaneCrossing
+    { crossingRadius = XYZ.norm place,
+      crossingAzimuth = atan2 z x,
+      -- The light runs the other way.
+      crossingShift = gasRedshift observed place (XYZ.negated velocity)
+    }
+
+-- | On an orbit with the swept angle φ the height is r (e₁ cos φ + e₂ sin φ)·y,
+-- so that the crossings lie half a turn apart.
+orbitCrossings :: Photon -> [Photon]
+orbitCrossings (Photon place velocity) = case XYZ.normalize across of
+  Just e2@(XYZ _ height2 _)
+    | max (abs height1) (abs height2) > 1e-12,
+      tangential > 1e-12 * XYZ.norm velocity ->
+      -- The angle of a path that never ends is cut at thirty turns.
+      map (at e2) (takeWhile (< min 200 end) (iterate (+ pi) (firstAngle height2)))
+  _ -> []
+  where
+    r = XYZ.norm place
+    e1@(XYZ _ height1 _) = (1 / r) *^ place
+    radial = XYZ.dot velocity e1
+    across = velocity ^-^ radial *^ e1
+    tangential = XYZ.norm across
+    b = r * tangential
+    path = orbit r radial tangential
+    end = case orbitFate path of
+      Escapes angle -> angle
+      Captured angle -> angle
+      Circles -> 1 / 0
+    firstAngle height2
+      | angle > 1e-12 = angle
+      | otherwise = angle + pi
+      where
+        angle = atan2 (negate height1) height2
+    at e2 angle =
+      Photon ((1 / u) *^ outward) (negate (b * slope) *^ outward ^+^ (b * u) *^ onward)
+      where
+        (u, slope) = orbitInverseRadiusAndSlope path angle
+        outward = cos angle *^ e1 ^+^ sin angle *^ e2
+        onward = cos angle *^ e2 ^-^ sin angle *^ e1
+
+-- | A straight ray crosses once at most, and not behind the black ball.
+straightCrossing :: Photon -> Maybe Photon
+straightCrossing (Photon place@(XYZ _ y _) velocity@(XYZ _ climb _))
+  | y * climb < 0 && t < impact = Just (Photon (place ^+^ t *^ velocity) velocity)
+  | otherwise = Nothing
+  where
+    t = negate y / climb
+    along = XYZ.dot place velocity
+    closest2 = XYZ.normSquared place - along * along
+    impact
+      | closest2 < 1 && along < 0 = negate along - sqrt (1 - closest2)
+      | otherwise = 1 / 0
+
+-- | Between the middles of two steps on either side of the plane.
+leapfrogCrossings :: Scene -> Photon -> [Photon]
+leapfrogCrossings scene start =
+  reverse (snd (followedState (followLeapfrog (sceneLeapfrog scene) (sceneSpacetime scene) everywhere start gather (start, []))))
+  where
+    everywhere = Region (1 / 0) (1 / 0) 0 1 1
+    gather (before, found) stretch =
+      Onward (here, [between y0 y1 before here | y0 * y1 < 0 || (y1 == 0 && y0 /= 0)] ++ found)
+      where
+        here = Photon (stretchMiddle stretch) (stretchVelocity stretch)
+        XYZ _ y0 _ = photonPosition before
+        XYZ _ y1 _ = photonPosition here
+    between y0 y1 (Photon x0 v0) (Photon x1 v1) =
+      let t = y0 / (y0 - y1) in Photon (XYZ.lerp t x0 x1) (XYZ.lerp t v0 v1)

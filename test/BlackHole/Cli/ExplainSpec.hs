@@ -1,0 +1,58 @@
+module BlackHole.Cli.ExplainSpec (spec) where
+
+import BlackHole.Cli.Explain
+import BlackHole.Cli.Options
+import BlackHole.Scene.Camera (Picture (..))
+import BlackHole.Scene.Preset
+import BlackHole.Scene.Scene
+import BlackHole.Scene.Validate (renderProblem)
+import BlackHole.Trace.Explain
+import Data.Foldable (for_)
+import Data.List (isInfixOf)
+import Test.Hspec
+
+spec :: Spec
+spec = do
+  it "--pixel takes a column and a row" $
+    case parseArguments "v1" ["render", "--pixel", "12,7"] of
+      Run (Render options) -> renderPixel options `shouldBe` Just (12, 7)
+      other -> expectationFailure (show other)
+  it "and nothing else" $
+    for_ ["12", "12,", "1.5,2", "1,2,3", "a,b"] $ \text ->
+      case parseArguments "v1" ["render", "--pixel", text] of
+        Misused line -> for_ ["--pixel", text, "X,Y"] $ \part -> line `shouldSatisfy` isInfixOf part
+        other -> expectationFailure (show other)
+  it "a pixel outside the picture is one problem that names option, value and range" $
+    for_ [(16, 0), (0, 9), (-1, 3), (3, -1)] $ \(x, y) ->
+      map renderProblem (pixelProblems (Picture 16 9) (x, y))
+        `shouldBe` ["--pixel: " ++ show x ++ "," ++ show y ++ " is not X,Y with X from 0 to 15 and Y from 0 to 8, counted from the top left"]
+  it "a pixel inside is none" $
+    concatMap (pixelProblems (Picture 16 9)) [(0, 0), (15, 8)] `shouldBe` []
+  it "says everything that was asked for" $ do
+    let text = explained defaultScene 4 5
+    for_
+      [ "pixel 4,5 of 16 x 9",
+        "direction of sight",
+        "impact parameter b",
+        "angular momentum h",
+        "static observer",
+        "fate",
+        "steps",
+        "crossings",
+        "optical depth",
+        "transmittance",
+        "from the gas",
+        "from the sky",
+        "samples",
+        "mean of samples",
+        "exposed by 0 stops",
+        "tone map film",
+        "sRGB codes"
+      ]
+      $ \part -> text `shouldSatisfy` isInfixOf part
+  it "does not speak of samples where there is one" $
+    explained defaultScene {sceneSamples = 1} 4 5 `shouldSatisfy` not . isInfixOf "mean of samples"
+  where
+    explained scene x y =
+      let small = scene {scenePicture = Picture 16 9}
+       in maybe "" (unlines . explanationLines small) (explainPixel small x y)

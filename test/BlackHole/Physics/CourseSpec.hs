@@ -1,0 +1,125 @@
+module BlackHole.Physics.CourseSpec (spec) where
+
+import BlackHole.Physics.Angle
+import BlackHole.Physics.Course
+import BlackHole.Physics.Orbit (OrbitFate (..), deflectionAngle)
+import BlackHole.Physics.Photon
+import BlackHole.Physics.Radii (criticalImpactParameter)
+import BlackHole.Vector.XYZ (XYZ (..))
+import qualified BlackHole.Vector.XYZ as XYZ
+import Data.Maybe (fromMaybe)
+import Support.Approx
+import qualified Support.Reference as Reference
+import Test.Hspec
+import Test.Hspec.QuickCheck (prop)
+import Test.QuickCheck
+
+spec :: Spec
+spec = do
+  describe "the reference rays of a camera at rest" $ do
+    rays <- runIO Reference.readRays
+    it "are fifteen" $ length rays `shouldBe` 15
+    mapM_ referenceRay rays
+  describe "light from infinity" $ do
+    table <- runIO Reference.readDeflections
+    it "is turned as in the table" $
+      sequence_
+        [ fromMaybe nan (courseDeflection (courseFromInfinity overPole b)) `shouldBeWithin` (1e-10, value)
+          | Reference.Deflection b _ value <- table
+        ]
+    prop "comes in on its asymptote" $
+      forAll (oneof [choose (0.01, 2.59), choose (2.61, 50)]) $ \b ->
+        conjoin
+          [ closeTo (1e-5 * b) b x
+            | CoursePoint _ (Photon (XYZ x _ _) _) <- take 1 (coursePoints 1e7 0.05 (courseFromInfinity overPole b))
+          ]
+    prop "keeps unit energy and its impact parameter at every point" $
+      forAll (oneof [choose (0.01, 2.59), choose (2.61, 50)]) $ \b ->
+        conjoin
+          [ closeTo 1e-12 1 (2 * pseudoEnergy p) .&&. closeTo (1e-11 * b) b (XYZ.norm (angularMomentum p))
+            | CoursePoint _ p <- coursePoints 100 0.05 (courseFromInfinity overPole b)
+          ]
+    it "ends at the horizon below b_c" $
+      sequence_
+        [ case coursePoints 100 0.05 (courseFromInfinity overPole b) of
+            [] -> expectationFailure "no points"
+            points -> XYZ.norm (photonPosition (pointPhoton (last points))) `shouldBeWithin` (1e-9, 1)
+          | b <- [0, 1e-9, 0.3, 2, 2.5, 2.598, criticalImpactParameter - 1e-14]
+        ]
+    it "is continuous in b across the series and the closed form" $
+      sequence_
+        [ fromMaybe nan (courseDeflection (courseFromInfinity overPole b)) `shouldBeWithin` (1e-14, fromMaybe nan (deflectionAngle b))
+          | b <- [3, 19.9, 20.1, 1000]
+        ]
+    it "has ends also next to b_c" $
+      sequence_
+        [ end (courseFromInfinity overPole (criticalImpactParameter + d)) `shouldSatisfy` (\a -> a > 20 && a < 60)
+          | d <- [-4e-16, 0, 4e-16, 4e-15, -4e-15]
+        ]
+  describe "crossings of the disk's plane" $ do
+    it "of light along the axis lie at quarter turns" $
+      map crossingAzimuth (courseCrossings (courseFromInfinity overPole 2.65)) `shouldBe` [0, -pi]
+    it "are none for light in the plane" $
+      courseCrossings (courseFromInfinity (Sight (Radians (pi / 2)) (Radians 0)) 2.65) `shouldBe` []
+    it "of a photon on the photon sphere are those of four turns" $
+      case courseFromCamera overPole 1.5 (Radians (pi / 2)) of
+        Just course -> (courseFate course, map crossingRadius (courseCrossings course)) `shouldBe` (Circles, replicate 8 1.5)
+        Nothing -> expectationFailure "no such camera"
+    it "do not count the start" $
+      map crossingAzimuth (maybe [] courseCrossings (courseFromCamera (Sight (Radians (pi / 2)) (Radians (pi / 2))) 10 (Radians 0.35)))
+        `shouldSatisfy` all ((< 1e-9) . abs . (+ pi / 2))
+    it "show the extremes of g to a far observer in the plane" $
+      -- Light that leaves an orbit along its motion turns there, and so has
+      -- b = r/√(1−1/r). Positive λ comes from the left.
+      sequence_
+        [ case redshiftAtTurn r side of
+            Nothing -> expectationFailure "no crossing at the closest point"
+            Just redshift -> redshift `shouldBeWithin` (2e-7, g)
+          | (r, g, side) <- [(4, 1.3359816, -1), (4, 0.56138496, 1), (6, 1.2665408, -1), (6, 0.65796014, 1)]
+        ]
+  where
+    nan = 0 / 0
+    end course = case courseFate course of
+      Escapes a -> a
+      Captured a -> a
+      Circles -> 1 / 0
+    -- The observer stands off the plane by next to nothing, and looks past the
+    -- hole on the right (1) or left (−1) so that the path crosses the plane at
+    -- its closest point, after half of what it sweeps: there
+    -- cos i cos φ + sin η sin i sin φ = 0.
+    redshiftAtTurn :: Double -> Double -> Maybe Double
+    redshiftAtTurn r side =
+      case [crossingRedshift c | c <- courseCrossings (courseFromInfinity sight b), abs (crossingRadius c - r) < 1e-6] of
+        [redshift] -> Just redshift
+        _ -> Nothing
+      where
+        b = r / sqrt (1 - 1 / r)
+        half = 0.5 * end (courseFromInfinity overPole b)
+        tilt = 1e-6
+        rise = asin (negate (sin tilt / (cos tilt * tan half)))
+        sight = Sight (Radians (pi / 2 - tilt)) (Radians (if side > 0 then rise else pi - rise))
+
+overPole :: Sight
+overPole = Sight (Radians 0) (Radians 0)
+
+referenceRay :: Reference.Ray -> Spec
+referenceRay ray = it (show (Reference.rayCameraRadius ray, Reference.rayInclination ray, Reference.rayPsi ray, Reference.rayEta ray, Reference.crossingNumber <$> Reference.rayCrossing ray)) $
+  case courseFromCamera sight (Reference.rayCameraRadius ray) (degrees (Reference.rayPsi ray)) of
+    Nothing -> expectationFailure "no such camera"
+    Just course -> do
+      courseImpactParameter course `shouldBeWithin` (1e-12, Reference.rayImpactParameter ray)
+      case (courseFate course, Reference.rayFate ray) of
+        (Escapes swept, Reference.RayEscapes reference) -> swept `shouldBeWithin` (1e-10, reference)
+        (Captured _, Reference.RayCaptured) -> pure ()
+        (fate, reference) -> expectationFailure (show (fate, reference))
+      case Reference.rayCrossing ray of
+        Nothing -> courseCrossings course `shouldBe` []
+        Just (Reference.Crossing n r azimuth g) -> case drop (n - 1) (courseCrossings course) of
+          [] -> expectationFailure "crossing missing"
+          Crossing r' azimuth' g' : _ -> do
+            r' `shouldBeWithin` (1e-9 * r, r)
+            azimuth' `shouldBeWithin` (1e-9, azimuth)
+            g' `shouldBeWithin` (1e-9, g)
+  where
+    degrees = toRadians . Degrees
+    sight = Sight (degrees (Reference.rayInclination ray)) (degrees (Reference.rayEta ray))

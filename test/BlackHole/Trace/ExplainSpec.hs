@@ -1,0 +1,100 @@
+module BlackHole.Trace.ExplainSpec (spec) where
+
+import BlackHole.Light.Radiance
+import BlackHole.Physics.Angle
+import BlackHole.Physics.Fate
+import BlackHole.Physics.Observer
+import BlackHole.Physics.Photon (angularMomentum)
+import BlackHole.Render.Film
+import BlackHole.Render.PixelRows (pixelChannels)
+import BlackHole.Render.Workers
+import BlackHole.Scene.Camera
+import BlackHole.Scene.Preset
+import BlackHole.Scene.Scene
+import BlackHole.Scene.Sky
+import BlackHole.Trace.Explain
+import BlackHole.Trace.Pixel
+import BlackHole.Vector.XY (XY (..))
+import qualified BlackHole.Vector.XYZ as XYZ
+import Control.Monad (forM_)
+import qualified Data.Vector.Storable as Vector
+import Support.Approx
+import Test.Hspec
+
+spec :: Spec
+spec = do
+  describe "the codes are those of the rendered picture" $
+    forM_ scenes $ \(name, scene) ->
+      it name $ do
+        exposed <- exposeFilm oneWorker (const (pure ())) scene
+        case exposed of
+          Nothing -> expectationFailure "cannot be traced"
+          Just film -> do
+            picture <- developFilm oneWorker (sceneExposure scene) (sceneToneMap scene) film
+            forM_ [(x, y) | x <- [0, 3 .. 15], y <- [0 .. 8]] $ \(x, y) ->
+              fmap ((\(r, g, b) -> [r, g, b]) . shownCodes . explainedShown) (explainPixel scene x y)
+                `shouldBe` (Vector.toList <$> pixelChannels picture x y)
+  it "the pixel is the mean of its samples" $
+    forM_ (everyPixel small) $ \explanation -> do
+      let samples = explainedSamples explanation
+          mean = scaleRadiance (1 / fromIntegral (length samples)) (mconcat (map sightingRadiance samples))
+      length samples `shouldBe` sceneSamples small
+      distant mean (explainedRadiance explanation) `shouldSatisfy` (< 1e-12)
+  it "a single sample is the middle" $
+    forM_ (everyPixel small {sceneSamples = 1}) $ \explanation ->
+      explainedSamples explanation `shouldBe` [explainedMiddle explanation]
+  it "gas and sky add up to what is seen" $
+    forM_ [s | explanation <- everyPixel small, s <- explainedMiddle explanation : explainedSamples explanation] $ \s ->
+      case sightingArrival s of
+        Nothing -> sightingRadiance s `shouldBe` black
+        Just light ->
+          distant (arrivalGas light <+> scaleRadiance (arrivalTransmittance light) (arrivalSky light)) (sightingRadiance s)
+            `shouldSatisfy` (< 1e-12)
+  it "tells the observer's light path" $
+    case (explainPixel small 4 5, tracer small >>= \traced -> tracedSight traced (XY 4.5 5.5)) of
+      (Just explanation, Just (SightLine photon observed)) -> case sightingArrival (explainedMiddle explanation) of
+        Just light -> do
+          arrivalAngularMomentum light `shouldBe` angularMomentum photon
+          arrivalFrequency light `shouldBe` observed
+          observed `shouldBeWithin` (1e-14, 1 / sqrt (1 - 1 / 30))
+        Nothing -> expectationFailure "no light"
+      _ -> expectationFailure "no explanation"
+  it "the middle of a bare hole is captured, without gas, at b = 0" $
+    case sightingArrival . explainedMiddle <$> explainPixel bare 8 4 of
+      Just (Just light) -> do
+        arrivalFate light `shouldBe` Captured
+        XYZ.norm (arrivalAngularMomentum light) `shouldBeWithin` (1e-12, 0)
+        (arrivalGasSamples light, opticalDepth light, arrivalGas light, arrivalSky light)
+          `shouldBe` (0, 0, black, black)
+      other -> expectationFailure (show other)
+  it "counts the gas: some where the transmittance is below 1, none elsewhere" $
+    forM_ [light | e <- everyPixel small, Just light <- [sightingArrival (explainedMiddle e)]] $ \light ->
+      (arrivalGasSamples light > 0, arrivalGasSamples light <= arrivalSteps light)
+        `shouldBe` (arrivalTransmittance light < 1, True)
+  it "knows nothing outside the picture" $
+    map (uncurry (explainPixel small)) [(-1, 0), (0, -1), (16, 0), (0, 9)]
+      `shouldBe` [Nothing, Nothing, Nothing, Nothing]
+  where
+    small = defaultScene {scenePicture = Picture 16 9}
+    bare =
+      small
+        { scenePicture = Picture 17 9,
+          sceneDisk = Nothing,
+          sceneSky = SkyUniform 1,
+          sceneSamples = 1
+        }
+    scenes =
+      [ ("four samples", small),
+        ("one sample, no tone map", small {sceneSamples = 1, sceneToneMap = minBound}),
+        ("the report's scene", reportScene {scenePicture = Picture 16 9}),
+        ("from within the photon sphere", small {sceneCamera = near 1.3, sceneSky = SkyGrid}),
+        ("falling, inside the horizon", small {sceneCamera = near 0.7, sceneObserver = Falling, sceneSky = SkyGrid}),
+        ("parity checks", small {sceneDebugTextures = True})
+      ]
+    near r = (sceneCamera small) {cameraPose = Around r (Degrees 80) (Degrees 90)}
+    everyPixel scene =
+      [e | x <- [0, 3 .. 15], y <- [0 .. 8], Just e <- [explainPixel scene x y]]
+
+-- | The greatest difference of two lights' amounts.
+distant :: Radiance -> Radiance -> Double
+distant (Radiance r g b) (Radiance r' g' b') = maximum (map abs [r - r', g - g', b - b'])
