@@ -4,6 +4,12 @@ module Main (main) where
 import BlackHole.Cli.Run (run)
 import System.Environment (getArgs)
 import System.Exit (exitWith)
+import System.IO (hSetEncoding, mkTextEncoding, stderr, stdout)
 
 main :: IO ()
-main = getArgs >>= run >>= exitWith
+main = do
+  -- Without a locale, a message would end the program at the first letter
+  -- outside ASCII: one of its own, or one of an argument that it repeats.
+  encoding <- mkTextEncoding "UTF-8//ROUNDTRIP"
+  mapM_ (`hSetEncoding` encoding) [stdout, stderr]
+  getArgs >>= run >>= exitWith

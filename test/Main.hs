@@ -51,6 +51,7 @@ import qualified BlackHole.Trace.PlaneCrossingSpec
 import qualified BlackHole.Trace.SkySpec
 import qualified BlackHole.Vector.XYSpec
 import qualified BlackHole.Vector.XYZSpec
+import qualified ProgramSpec
 import Test.Hspec
 
 main :: IO ()
@@ -105,3 +106,4 @@ main = hspec $ do
   describe "BlackHole.Trace.Sky" BlackHole.Trace.SkySpec.spec
   describe "BlackHole.Vector.XY" BlackHole.Vector.XYSpec.spec
   describe "BlackHole.Vector.XYZ" BlackHole.Vector.XYZSpec.spec
+  describe "The program" ProgramSpec.spec
