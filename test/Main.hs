@@ -106,4 +106,4 @@ main = hspec $ do
   describe "BlackHole.Trace.Sky" BlackHole.Trace.SkySpec.spec
   describe "BlackHole.Vector.XY" BlackHole.Vector.XYSpec.spec
   describe "BlackHole.Vector.XYZ" BlackHole.Vector.XYZSpec.spec
-  describe "The program" ProgramSpec.spec
+  describe "Program" ProgramSpec.spec
