@@ -2,9 +2,16 @@
 module Main (main) where
 
 import qualified BlackHole.Cli.ExplainSpec
+import qualified BlackHole.Cli.JsonSpec
 import qualified BlackHole.Cli.OptionsSpec
+import qualified BlackHole.Cli.PhotonSpec
+import qualified BlackHole.Cli.RaysSpec
 import qualified BlackHole.Cli.RunSpec
 import qualified BlackHole.Cli.SelfTestSpec
+import qualified BlackHole.Figure.FigureSpec
+import qualified BlackHole.Figure.RasterSpec
+import qualified BlackHole.Figure.RayFanSpec
+import qualified BlackHole.Figure.SvgSpec
 import qualified BlackHole.Image.AtomicFileSpec
 import qualified BlackHole.Image.GoldenSpec
 import qualified BlackHole.Light.BlackBodySpec
@@ -17,12 +24,14 @@ import qualified BlackHole.Noise.PerlinGSpec
 import qualified BlackHole.Noise.ProfileSpec
 import qualified BlackHole.Noise.RememberedSpec
 import qualified BlackHole.Noise.SipHashSpec
+import qualified BlackHole.Physics.CourseSpec
 import qualified BlackHole.Physics.EllipticSpec
 import qualified BlackHole.Physics.ExactPathSpec
 import qualified BlackHole.Physics.GasMotionSpec
 import qualified BlackHole.Physics.LeapfrogSpec
 import qualified BlackHole.Physics.ObserverSpec
 import qualified BlackHole.Physics.OrbitSpec
+import qualified BlackHole.Physics.PathReportSpec
 import qualified BlackHole.Physics.RedshiftSpec
 import qualified BlackHole.Physics.ThinDiskSpec
 import qualified BlackHole.Render.FilmSpec
@@ -48,9 +57,16 @@ import Test.Hspec
 main :: IO ()
 main = hspec $ do
   describe "BlackHole.Cli.Explain" BlackHole.Cli.ExplainSpec.spec
+  describe "BlackHole.Cli.Json" BlackHole.Cli.JsonSpec.spec
   describe "BlackHole.Cli.Options" BlackHole.Cli.OptionsSpec.spec
+  describe "BlackHole.Cli.Photon" BlackHole.Cli.PhotonSpec.spec
+  describe "BlackHole.Cli.Rays" BlackHole.Cli.RaysSpec.spec
   describe "BlackHole.Cli.Run" BlackHole.Cli.RunSpec.spec
   describe "BlackHole.Cli.SelfTest" BlackHole.Cli.SelfTestSpec.spec
+  describe "BlackHole.Figure.Figure" BlackHole.Figure.FigureSpec.spec
+  describe "BlackHole.Figure.Raster" BlackHole.Figure.RasterSpec.spec
+  describe "BlackHole.Figure.RayFan" BlackHole.Figure.RayFanSpec.spec
+  describe "BlackHole.Figure.Svg" BlackHole.Figure.SvgSpec.spec
   describe "BlackHole.Image.AtomicFile" BlackHole.Image.AtomicFileSpec.spec
   describe "BlackHole.Image.Golden" BlackHole.Image.GoldenSpec.spec
   describe "BlackHole.Light.BlackBody" BlackHole.Light.BlackBodySpec.spec
@@ -63,12 +79,14 @@ main = hspec $ do
   describe "BlackHole.Noise.Profile" BlackHole.Noise.ProfileSpec.spec
   describe "BlackHole.Noise.Remembered" BlackHole.Noise.RememberedSpec.spec
   describe "BlackHole.Noise.SipHash" BlackHole.Noise.SipHashSpec.spec
+  describe "BlackHole.Physics.Course" BlackHole.Physics.CourseSpec.spec
   describe "BlackHole.Physics.Elliptic" BlackHole.Physics.EllipticSpec.spec
   describe "BlackHole.Physics.ExactPath" BlackHole.Physics.ExactPathSpec.spec
   describe "BlackHole.Physics.GasMotion" BlackHole.Physics.GasMotionSpec.spec
   describe "BlackHole.Physics.Leapfrog" BlackHole.Physics.LeapfrogSpec.spec
   describe "BlackHole.Physics.Observer" BlackHole.Physics.ObserverSpec.spec
   describe "BlackHole.Physics.Orbit" BlackHole.Physics.OrbitSpec.spec
+  describe "BlackHole.Physics.PathReport" BlackHole.Physics.PathReportSpec.spec
   describe "BlackHole.Physics.Redshift" BlackHole.Physics.RedshiftSpec.spec
   describe "BlackHole.Physics.ThinDisk" BlackHole.Physics.ThinDiskSpec.spec
   describe "BlackHole.Render.Film" BlackHole.Render.FilmSpec.spec
@@ -88,4 +106,4 @@ main = hspec $ do
   describe "BlackHole.Trace.Sky" BlackHole.Trace.SkySpec.spec
   describe "BlackHole.Vector.XY" BlackHole.Vector.XYSpec.spec
   describe "BlackHole.Vector.XYZ" BlackHole.Vector.XYZSpec.spec
-  describe "The program" ProgramSpec.spec
+  describe "Program" ProgramSpec.spec

@@ -8,6 +8,8 @@ module BlackHole.Cli.Options
   )
 where
 
+import BlackHole.Cli.Photon (PhotonOptions, photonOptions)
+import BlackHole.Cli.Rays (RaysOptions, raysOptions)
 import BlackHole.Cli.Read
 import BlackHole.Cli.SelfTest (SelfTestOptions, selfTestOptions)
 import BlackHole.Light.Display
@@ -33,6 +35,10 @@ import System.Exit (ExitCode (..))
 data Command
   = -- | Render one picture.
     Render RenderOptions
+  | -- | Report on one light path.
+    Photon PhotonOptions
+  | -- | Draw the fan of light paths.
+    Rays RaysOptions
   | -- | Hold the program's numbers against known ones.
     SelfTest SelfTestOptions
   deriving (Eq, Show)
@@ -110,6 +116,18 @@ commandLine version =
               progDesc "Render one picture to a PNG file."
                 <> footer "Example: blackhole render --width 1280 --inclination 75 --fov 40 -o hole.png"
           )
+          <> command
+            "photon"
+            ( info (Photon <$> photonOptions) $
+                progDesc "Report on one light path: where it goes and what it meets. Lengths in Schwarzschild radii, angles in radians."
+                  <> footer "Examples: blackhole photon --impact 2.65 --json; blackhole photon --distance 20 --inclination 80 --psi 10 --eta -90"
+            )
+          <> command
+            "rays"
+            ( info (Rays <$> raysOptions) $
+                progDesc "Draw parallel light rays on their way around the hole, as SVG or PNG."
+                  <> footer "Example: blackhole rays --rays 41 -o rays.svg"
+            )
           <> command
             "selftest"
             ( info (SelfTest <$> selfTestOptions) $

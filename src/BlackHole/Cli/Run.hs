@@ -10,6 +10,8 @@ where
 
 import BlackHole.Cli.Explain (explanationLines, pixelProblems)
 import BlackHole.Cli.Options
+import BlackHole.Cli.Photon
+import BlackHole.Cli.Rays
 import BlackHole.Cli.SelfTest (runSelfTest)
 import BlackHole.Image.AtomicFile
 import BlackHole.Image.Png (encodePicture)
@@ -78,6 +80,8 @@ dispatch arguments = case parseArguments versionLine arguments of
   Inform text -> Done <$ putStrLn text
   Misused line -> complain UsageError (line ++ " (see: blackhole --help)")
   Run (Render options) -> render options
+  Run (Photon options) -> photon options
+  Run (Rays options) -> rays options
   Run (SelfTest options) -> selfTestStatus <$> runSelfTest options
 
 -- | A check that does not hold is a fault of the program.
@@ -85,6 +89,27 @@ selfTestStatus :: [Check] -> ExitStatus
 selfTestStatus checks
   | all checkHolds checks = Done
   | otherwise = InternalFault
+
+-- | One light path, reported on standard output.
+photon :: PhotonOptions -> IO ExitStatus
+photon options = case resolvePhoton options of
+  Left problems -> complainAll BadInput problems
+  Right task -> do
+    let outcome = photonOutcome task
+    written <- maybe (pure (Right ())) (`writeFileAtomically` outcomeCsv outcome) (photonPath options)
+    case written of
+      Left problem -> complain CannotWrite ("--path: " ++ renderWriteProblem problem)
+      Right () -> Done <$ putStr (outcomeText (photonJson options) outcome)
+
+-- | The figure of light rays, from options to file.
+rays :: RaysOptions -> IO ExitStatus
+rays options = case resolveRays options of
+  Left problems -> complainAll BadInput problems
+  Right task -> do
+    written <- writeFileAtomically (raysOutput options) (raysFile programName task)
+    case written of
+      Left problem -> complain CannotWrite ("--output: " ++ renderWriteProblem problem)
+      Right () -> pure Done
 
 -- | One picture, from options to file.
 render :: RenderOptions -> IO ExitStatus

@@ -1,3 +1,5 @@
+{-# LANGUAGE BangPatterns #-}
+
 module BlackHole.Physics.OrbitSpec (spec) where
 
 import BlackHole.Physics.Orbit
@@ -92,9 +94,9 @@ sumOver :: Orbit -> Int -> Double
 sumOver o count = go count 0 0
   where
     go :: Int -> Double -> Double -> Double
-    go n phi total
-      | n <= 0 = total
-      | otherwise = phi `seq` total `seq` go (n - 1) (phi + 1e-6) (total + orbitInverseRadius o phi)
+    go !n !phi !acc
+      | n <= 0 = acc
+      | otherwise = go (n - 1) (phi + 1e-6) (acc + orbitInverseRadius o phi)
 
 referenceSpec :: Spec
 referenceSpec = describe "reference values" $ do
