@@ -27,6 +27,7 @@ module BlackHole.Physics.Course
 
     -- * The disk's plane
     Crossing (..),
+    coursePlanePoints,
     courseCrossings,
     courseMeetsPlane,
     planeAzimuth,
@@ -34,7 +35,6 @@ module BlackHole.Physics.Course
 where
 
 import BlackHole.Physics.Angle
-import BlackHole.Physics.GasMotion (gasVelocity)
 import BlackHole.Physics.Orbit
 import BlackHole.Physics.Photon
 import BlackHole.Physics.Redshift
@@ -320,29 +320,29 @@ courseMeetsPlane course = max (abs a) (abs b) > 1e-12
     XYZ _ a _ = courseOutset course
     XYZ _ b _ = courseOnward course
 
--- | All crossings, in the order in which the path followed from the observer
--- meets them; the start itself does not count. None for a path that lies in
--- the plane, and those of four turns for one that never ends. The height is @r (e₁ cos φ + e₂ sin φ)·y@, so that crossings lie
--- at a first angle and half a turn apart.
-courseCrossings :: Course -> [Crossing]
-courseCrossings course
+-- | The points at which the path crosses the disk's plane, in the order in which
+-- the path followed from the observer meets them; the start itself does not
+-- count. None for a path that lies in the plane, and those of four turns for
+-- one that never ends. The height is @r (e₁ cos φ + e₂ sin φ)·y@, so that
+-- crossings lie at a first angle and half a turn apart.
+coursePlanePoints :: Course -> [CoursePoint]
+coursePlanePoints course
   | not (courseMeetsPlane course) || courseImpactParameter course == 0 = []
-  | otherwise = mapMaybe crossing (takeWhile (< end) (take 1000 (iterate (+ pi) firstAngle)))
+  | otherwise = map (pointAt course) (takeWhile (< endAngle course) (take 1000 (iterate (+ pi) firstAngle)))
   where
-    e1@(XYZ _ height1 _) = courseOutset course
-    e2@(XYZ _ height2 _) = courseOnward course
-    end = endAngle course
+    XYZ _ height1 _ = courseOutset course
+    XYZ _ height2 _ = courseOnward course
     firstAngle =
       let angle = atan2 (negate height1) height2
           upward = if angle < 0 then angle + pi else angle
        in if upward < 1e-12 then upward + pi else upward
-    b = courseImpactParameter course
-    XYZ _ normal _ = XYZ.cross e1 e2
-    crossing angle = do
-      let (u, slope) = courseInverse course angle
-          r = 1 / u
-          -- The light itself runs the other way.
-          sense = if slope > 0 then Outward else Inward
-      gas <- if u > 0 then gasVelocity r 0 else Nothing
-      pure . Crossing r (planeAzimuth (cos angle *^ e1 ^+^ sin angle *^ e2)) $
-        redshiftFactor (courseObserved course) gas (photonMomentum sense (b * b) (negate (b * normal)) r)
+
+-- | What becomes of light from gas at those points.
+courseCrossings :: Course -> [Crossing]
+courseCrossings course = mapMaybe crossing (coursePlanePoints course)
+  where
+    crossing (CoursePoint _ (Photon place velocity)) = do
+      -- The light itself runs the other way.
+      shift <- gasRedshift (courseObserved course) place (XYZ.negated velocity)
+      pure . Crossing (XYZ.norm place) (planeAzimuth place) $
+        redshiftGravitational shift * redshiftDoppler shift

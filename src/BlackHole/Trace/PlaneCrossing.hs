@@ -6,15 +6,15 @@ module BlackHole.Trace.PlaneCrossing
   )
 where
 
+import BlackHole.Physics.Course (CoursePoint (..), courseFromPhoton, coursePlanePoints)
 import BlackHole.Physics.Leapfrog (followLeapfrog)
 import BlackHole.Physics.LightPath
 import BlackHole.Physics.Observer (SightLine (..))
-import BlackHole.Physics.Orbit
 import BlackHole.Physics.Photon
 import BlackHole.Physics.Redshift (RedshiftParts, gasRedshift)
 import BlackHole.Physics.Spacetime (Spacetime (..))
 import BlackHole.Scene.Scene
-import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^), (^-^))
+import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
 import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Maybe (maybeToList)
 
@@ -40,7 +40,7 @@ planeCrossings :: Scene -> SightLine -> [PlaneCrossing]
 planeCrossings scene (SightLine photon observed) =
   map (crossingAt observed) $ case (sceneIntegrator scene, sceneSpacetime scene) of
     (Leapfrogging, _) -> leapfrogCrossings scene photon
-    (Exact, Schwarzschild) -> orbitCrossings photon
+    (Exact, Schwarzschild) -> map pointPhoton (coursePlanePoints (courseFromPhoton observed photon))
     (Exact, Flat) -> maybeToList (straightCrossing photon)
 
 crossingAt :: Double -> Photon -> PlaneCrossing
@@ -51,40 +51,6 @@ crossingAt observed (Photon place@(XYZ x _ z) velocity) =
       -- The light runs the other way.
       crossingShift = gasRedshift observed place (XYZ.negated velocity)
     }
-
--- | On an orbit with the swept angle φ the height is r (e₁ cos φ + e₂ sin φ)·y,
--- so that the crossings lie half a turn apart.
-orbitCrossings :: Photon -> [Photon]
-orbitCrossings (Photon place velocity) = case XYZ.normalize across of
-  Just e2@(XYZ _ height2 _)
-    | max (abs height1) (abs height2) > 1e-12,
-      tangential > 1e-12 * XYZ.norm velocity ->
-      -- The angle of a path that never ends is cut at thirty turns.
-      map (at e2) (takeWhile (< min 200 end) (iterate (+ pi) (firstAngle height2)))
-  _ -> []
-  where
-    r = XYZ.norm place
-    e1@(XYZ _ height1 _) = (1 / r) *^ place
-    radial = XYZ.dot velocity e1
-    across = velocity ^-^ radial *^ e1
-    tangential = XYZ.norm across
-    b = r * tangential
-    path = orbit r radial tangential
-    end = case orbitFate path of
-      Escapes angle -> angle
-      Captured angle -> angle
-      Circles -> 1 / 0
-    firstAngle height2
-      | angle > 1e-12 = angle
-      | otherwise = angle + pi
-      where
-        angle = atan2 (negate height1) height2
-    at e2 angle =
-      Photon ((1 / u) *^ outward) (negate (b * slope) *^ outward ^+^ (b * u) *^ onward)
-      where
-        (u, slope) = orbitInverseRadiusAndSlope path angle
-        outward = cos angle *^ e1 ^+^ sin angle *^ e2
-        onward = cos angle *^ e2 ^-^ sin angle *^ e1
 
 -- | A straight ray crosses once at most, and not behind the black ball.
 straightCrossing :: Photon -> Maybe Photon
