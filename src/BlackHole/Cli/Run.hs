@@ -93,7 +93,7 @@ selfTestStatus checks
 -- | One light path, reported on standard output.
 photon :: PhotonOptions -> IO ExitStatus
 photon options = case resolvePhoton options of
-  Left problems -> complainAll BadInput problems
+  Left problems -> complainAll UsageError problems
   Right task -> do
     let outcome = photonOutcome task
     written <- maybe (pure (Right ())) (`writeFileAtomically` outcomeCsv outcome) (photonPath options)
@@ -104,7 +104,7 @@ photon options = case resolvePhoton options of
 -- | The figure of light rays, from options to file.
 rays :: RaysOptions -> IO ExitStatus
 rays options = case resolveRays options of
-  Left problems -> complainAll BadInput problems
+  Left problems -> complainAll UsageError problems
   Right task -> do
     written <- writeFileAtomically (raysOutput options) (raysFile programName task)
     case written of
