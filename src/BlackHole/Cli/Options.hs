@@ -166,7 +166,7 @@ renderOptions =
     <*> optional (option wholeNumber (long "samples" <> metavar "N" <> help "Rays per pixel"))
     <*> optional (option number (long "exposure" <> metavar "STOPS" <> help "Brighter (+) or darker (-) by powers of two"))
     <*> optional (option (named "a tone map" [(toneMapName t, t) | t <- [minBound ..]]) (long "tone-map" <> metavar "NAME" <> help "How bright light is brought into range: none or film"))
-    <*> optional (option wholeNumber (long "seed" <> metavar "N" <> help "Seed of gas and stars, a whole number"))
+    <*> optional (option seedNumber (long "seed" <> metavar "N" <> help "Seed of gas, stars and sampling, from 0 to 2^64 - 1"))
     <*> optional (option wholeNumber (long "threads" <> metavar "N" <> help "Workers (default: one per core); the picture is the same for any number"))
     <*> optional (option pixelPlace (long "pixel" <> metavar "X,Y" <> help "Explain the colour of one pixel instead of rendering; 0,0 is the top left"))
     <*> strOption (long "output" <> short 'o' <> metavar "FILE" <> value "blackhole.png" <> showDefaultWith id <> help "PNG file to write")

@@ -3,6 +3,7 @@
 module BlackHole.Cli.Read
   ( number,
     wholeNumber,
+    seedNumber,
     vector,
     pixelPlace,
     named,
@@ -15,6 +16,7 @@ where
 import BlackHole.Vector.XYZ (XYZ (..))
 import Data.Char (isDigit, toLower)
 import Data.List (intercalate, sortOn)
+import Data.Word (Word64)
 import Options.Applicative
 import Text.Read (readMaybe)
 
@@ -29,6 +31,12 @@ wholeNumber :: Num a => ReadM a
 wholeNumber = eitherReader $ \s -> case readMaybe (dropPlus s) of
   Just n | abs n < 10 ^ (18 :: Int) -> Right (fromInteger n)
   _ -> Left (notA s "a whole number")
+
+-- | A seed: a whole number that fits into 64 bits.
+seedNumber :: ReadM Word64
+seedNumber = eitherReader $ \s -> case readMaybe (dropPlus s) of
+  Just n | n >= 0 && n <= toInteger (maxBound :: Word64) -> Right (fromInteger n)
+  _ -> Left (notA s ("a whole number from 0 to " ++ show (maxBound :: Word64)))
 
 -- | Three numbers with commas between them.
 vector :: ReadM XYZ

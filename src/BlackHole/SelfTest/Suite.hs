@@ -8,7 +8,7 @@ import BlackHole.SelfTest.Check (Check)
 import BlackHole.SelfTest.Physics (physicsChecks)
 import BlackHole.SelfTest.Picture (pictureChecks)
 
--- | The checks in the order of the table. Renders small pictures; about a
--- second in all.
+-- | The checks in the order of the table. Renders small pictures; a
+-- fraction of a second in all.
 selfTestChecks :: IO [Check]
 selfTestChecks = (physicsChecks ++) <$> pictureChecks

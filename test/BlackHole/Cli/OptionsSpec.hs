@@ -36,6 +36,8 @@ spec = do
     fmap (\s -> (sceneSpacetime s, sceneDisk s)) (scene ["--no-gravity", "--no-disk"]) `shouldBe` Right (Flat, Nothing)
   describe "mistakes" $ do
     misused ["render", "--width", "many"] ["--width", "many", "whole number"]
+    misused ["render", "--seed", "-1"] ["--seed", "-1", "18446744073709551615"]
+    misused ["render", "--seed", "18446744073709551616"] ["--seed", "18446744073709551615"]
     misused ["render", "--fov", "4o"] ["--fov", "4o", "number"]
     misused ["render", "--camera", "1,2"] ["--camera", "1,2", "X,Y,Z"]
     misused ["render", "--observer", "statik"] ["--observer", "statik", "static"]

@@ -1,0 +1,198 @@
+-- | Draws the plots of docs/validation.md as SVG files into a folder, from the
+-- program's own numbers. The argument is the folder.
+module Main (main) where
+
+import BlackHole.Physics.Fate (Fate (..))
+import BlackHole.Physics.Leapfrog
+import BlackHole.Physics.LightPath
+import BlackHole.Physics.Observer
+import BlackHole.Physics.Orbit (OrbitFate (Escapes), deflectionAngle, orbit, orbitFate)
+import BlackHole.Physics.Photon
+import BlackHole.Physics.Spacetime (Spacetime (..))
+import BlackHole.SelfTest.Bisection (bisect)
+import BlackHole.SelfTest.Physics (deflectionReferences)
+import BlackHole.Vector.XYZ (XYZ (..))
+import qualified BlackHole.Vector.XYZ as XYZ
+import Data.Maybe (mapMaybe)
+import Numeric (showFFloat)
+import System.Environment (getArgs)
+import System.Exit (die)
+import System.FilePath ((</>))
+
+main :: IO ()
+main = do
+  arguments <- getArgs
+  case arguments of
+    [folder] ->
+      mapM_
+        (\(name, plot) -> writeFile (folder </> name) (plotSvg plot))
+        [ ("deflection.svg", deflectionPlot),
+          ("leapfrog-order.svg", orderPlot),
+          ("shadow-radius.svg", shadowPlot)
+        ]
+    _ -> die "usage: ValidationPlots FOLDER"
+
+-- | How far light is turned, by its distance from capture.
+deflectionPlot :: Plot
+deflectionPlot =
+  Plot
+    { plotTitle = "Deflection of light from infinity",
+      plotAcross = Axis "b / b_c - 1" (decades (-6) 3),
+      plotUp = Axis "deflection (rad)" (decades (-3) 2),
+      plotSeries =
+        [ Curve "#999999" "weak field, 2/b" [(e, 2 / b e) | e <- offsets],
+          Curve "#d08020" "strong field, -ln(b/b_c - 1) + ln(216 (7 - 4√3)) - π" [(e, v) | e <- offsets, let v = strong e, v > 1e-3],
+          Curve "#2060c0" "closed form" (mapMaybe (\e -> (,) e <$> deflectionAngle (b e)) offsets),
+          Points "#c02020" "reference, 30 digits" [(q / critical - 1, v) | (q, v) <- deflectionReferences]
+        ]
+    }
+  where
+    offsets = geometric 1e-6 1e3 240
+    b e = critical * (1 + e)
+    strong e = negate (log e) + log (216 * (7 - 4 * sqrt 3)) - pi
+
+-- | The error of the leapfrog's escaping direction, by its step.
+orderPlot :: Plot
+orderPlot =
+  Plot
+    { plotTitle = "Leapfrog: error of the direction in which light leaves",
+      plotAcross = Axis "step (Schwarzschild radii)" (decades (-2) 0),
+      plotUp = Axis "error (rad)" (decades (-7) 3),
+      plotSeries =
+        concat
+          [ [ Curve "#999999" (if b == 5 then "second order" else "") [(l, c * l * l) | l <- [0.01, 1]],
+              Points colour ("b = " ++ show b) [(l, directionError b l) | l <- geometric 0.0125 0.4 5]
+            ]
+            | (b, colour) <- [(2.7, "#c02020"), (3.5, "#d08020"), (5, "#2060c0")],
+              let c = directionError b 0.025 / (0.025 * 0.025)
+          ]
+    }
+
+-- | The shadow that an observer at rest sees, by his distance.
+shadowPlot :: Plot
+shadowPlot =
+  Plot
+    { plotTitle = "Radius of the shadow for an observer at rest",
+      plotAcross = Axis "r (Schwarzschild radii)" (decades 0 2),
+      plotUp = Axis "angle (degrees)" (Steps [0, 30 .. 180]),
+      plotSeries =
+        [ Curve "#999999" "Synge's formula" [(r, synge r) | r <- geometric 1.0001 100 300],
+          Points "#2060c0" "where lines of sight begin to miss the hole" [(r, seenBy Static r) | r <- places],
+          Points "#c02020" "the same, directions taken for coordinate directions" [(r, seenBy Coordinate r) | r <- places]
+        ]
+    }
+  where
+    places = [1.05, 1.2, 1.5, 2, 2.5, 3, 4, 6, 8, 10, 14, 20, 30, 50, 80]
+    synge r = (if r < 1.5 then (180 -) else id) (180 / pi * asin (min 1 (critical * sqrt (1 - 1 / r) / r)))
+
+-- | Degrees from the direction of the hole to the shadow's edge.
+seenBy :: Observer -> Double -> Double
+seenBy observer r = 180 / pi * bisect dark 0 pi
+  where
+    dark psi = case sightLine Schwarzschild observer (XYZ 0 0 r) (XYZ (sin psi) 0 (negate (cos psi))) of
+      Nothing -> True
+      Just (SightLine photon _) -> case orbitFate (orbitOf photon) of
+        Escapes _ -> False
+        _ -> True
+    orbitOf photon@(Photon x v) = orbit r (XYZ.dot x v / r) (XYZ.norm (angularMomentum photon) / r)
+
+-- | Of light from r = 30 with an impact parameter, against the closed form.
+directionError :: Double -> Double -> Double
+directionError b l =
+  case (followedFate (followLeapfrog settings Schwarzschild nowhere photon (\() _ -> Onward ()) ()), orbitFate (orbit 30 (XYZ.dot x v / 30) (b / 30))) of
+    (Escaped d, Escapes swept) ->
+      XYZ.distance d (XYZ (sin (alpha + swept)) 0 (cos (alpha + swept)))
+    _ -> 0 / 0
+  where
+    settings = defaultLeapfrog {leapfrogSteps = EqualSteps l, leapfrogSkyRadius = 2000}
+    nowhere = Region 0 (-1) 0 1 1
+    speed = sqrt (1 + b * b / 27000)
+    p = b / speed
+    photon@(Photon x@(XYZ px _ pz) v) =
+      Photon (XYZ p 0 (sqrt (900 - p * p))) (XYZ 0 0 (negate speed))
+    alpha = atan2 px pz
+
+critical :: Double
+critical = 1.5 * sqrt 3
+
+geometric :: Double -> Double -> Int -> [Double]
+geometric from to count =
+  [from * (to / from) ** (fromIntegral i / fromIntegral count) | i <- [0 .. count]]
+
+-- | A diagram with a legend.
+data Plot = Plot
+  { plotTitle :: String,
+    plotAcross :: Axis,
+    plotUp :: Axis,
+    plotSeries :: [Series]
+  }
+
+-- | A label and a scale.
+data Axis = Axis String Scale
+
+-- | The scale's marks, the first and the last of them at its ends.
+data Scale
+  = -- | Powers of ten.
+    Powers [Int]
+  | Steps [Double]
+
+decades :: Int -> Int -> Scale
+decades from to = Powers [from .. to]
+
+-- | Colour, name in the legend (none if empty), and places.
+data Series
+  = Curve String String [(Double, Double)]
+  | Points String String [(Double, Double)]
+
+-- | Where a number lies on a scale, 0…1.
+position :: Scale -> Double -> Double
+position scale v = case scale of
+  Powers marks -> between (map fromIntegral marks) (logBase 10 v)
+  Steps marks -> between marks v
+  where
+    between marks x = (x - minimum marks) / (maximum marks - minimum marks)
+
+plotSvg :: Plot -> String
+plotSvg (Plot title (Axis labelX scaleX) (Axis labelY scaleY) series) =
+  unlines $
+    [ "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 640 420\" width=\"640\" height=\"420\" font-family=\"sans-serif\" font-size=\"12\">",
+      "<rect width=\"640\" height=\"420\" fill=\"#ffffff\"/>",
+      "<clipPath id=\"frame\"><rect x=\"70\" y=\"40\" width=\"540\" height=\"320\"/></clipPath>",
+      text 340 24 "middle" 15 title,
+      text 340 402 "middle" 12 labelX,
+      "<g transform=\"translate(18 200) rotate(-90)\">" ++ text 0 0 "middle" 12 labelY ++ "</g>"
+    ]
+      ++ concat [line x 40 x 360 "#e4e4e4" ++ [text x 378 "middle" 12 mark] | (v, mark) <- marks scaleX, let x = across v]
+      ++ concat [line 70 y 610 y "#e4e4e4" ++ [text 64 (y + 4) "end" 12 mark] | (v, mark) <- marks scaleY, let y = up v]
+      ++ ["<rect x=\"70\" y=\"40\" width=\"540\" height=\"320\" fill=\"none\" stroke=\"#444444\"/>", "<g clip-path=\"url(#frame)\">"]
+      ++ concatMap draw series
+      ++ ["</g>"]
+      ++ concat (zipWith legend [58, 76 ..] [s | s <- reverse series, not (null (named s))])
+      ++ ["</svg>"]
+  where
+    across v = 70 + 540 * position scaleX v
+    up v = 360 - 320 * position scaleY v
+    marks (Powers powers) = [(10 ^^ n, if abs n > 3 then "1e" ++ show n else plain n) | n <- powers]
+    marks (Steps values) = [(v, short v) | v <- values]
+    plain n = if n >= 0 then show (10 ^ n :: Int) else showFFloat (Just (negate n)) (10 ^^ n :: Double) ""
+    short v = show (round v :: Int)
+    named (Curve _ name _) = name
+    named (Points _ name _) = name
+    draw (Curve colour _ places) =
+      [ "<polyline fill=\"none\" stroke=\"" ++ colour ++ "\" stroke-width=\"1.5\" points=\""
+          ++ unwords [number (across x) ++ "," ++ number (up y) | (x, y) <- places]
+          ++ "\"/>"
+      ]
+    draw (Points colour _ places) = [dot colour (across x) (up y) | (x, y) <- places, not (isNaN y)]
+    legend y s = case s of
+      Curve colour name _ -> line 560 y 590 y colour ++ [text 552 (y + 4) "end" 12 name]
+      Points colour name _ -> [dot colour 575 y, text 552 (y + 4) "end" 12 name]
+    dot :: String -> Double -> Double -> String
+    dot colour x y = "<circle cx=\"" ++ number x ++ "\" cy=\"" ++ number y ++ "\" r=\"3\" fill=\"" ++ colour ++ "\"/>"
+    line :: Double -> Double -> Double -> Double -> String -> [String]
+    line x1 y1 x2 y2 colour =
+      ["<line x1=\"" ++ number x1 ++ "\" y1=\"" ++ number y1 ++ "\" x2=\"" ++ number x2 ++ "\" y2=\"" ++ number y2 ++ "\" stroke=\"" ++ colour ++ "\" stroke-width=\"1.5\"/>"]
+    text :: Double -> Double -> String -> Int -> String -> String
+    text x y anchor size content =
+      "<text x=\"" ++ number x ++ "\" y=\"" ++ number y ++ "\" text-anchor=\"" ++ anchor ++ "\" font-size=\"" ++ show size ++ "\">" ++ content ++ "</text>"
+    number v = showFFloat (Just 1) v ""
