@@ -51,15 +51,15 @@ data PhotonOptions = PhotonOptions
 photonOptions :: Parser PhotonOptions
 photonOptions =
   PhotonOptions
-    <$> optional (option number (long "impact" <> metavar "B" <> help "Light from infinity with this impact parameter, in Schwarzschild radii"))
-    <*> optional (option number (long "distance" <> metavar "R" <> help "Instead: the line of sight of a camera at rest, this far from the hole"))
-    <*> optional (option number (long "inclination" <> metavar "DEGREES" <> help "Observer's angle from the disk's axis (with --impact 0 by default)"))
-    <*> optional (option number (long "psi" <> metavar "DEGREES" <> help "With --distance: angle of the line of sight from the hole's centre"))
-    <*> optional (option number (long "eta" <> metavar "DEGREES" <> help "Position angle about the hole's centre, from right towards up (with --impact 0 by default)"))
-    <*> option (named "an integrator" [(integratorName i, i) | i <- [minBound ..]]) (long "integrator" <> metavar "NAME" <> value Exact <> showDefaultWith integratorName <> help "exact, or leapfrog with its errors beside the exact values")
-    <*> optional (option number (long "step" <> metavar "L" <> help "The leapfrog's base length in Schwarzschild radii (default: 0.1)"))
-    <*> switch (long "json" <> help "Print JSON instead of a table")
-    <*> optional (strOption (long "path" <> metavar "FILE.csv" <> help "Also write the path: swept angle, r, x, y, z"))
+    <$> setting (option number (long "impact" <> metavar "B" <> help "Light from infinity with this impact parameter, in Schwarzschild radii"))
+    <*> setting (option number (long "distance" <> metavar "R" <> help "Instead: the line of sight of a camera at rest, this far from the hole"))
+    <*> setting (option number (long "inclination" <> metavar "DEGREES" <> help "Observer's angle from the disk's axis (with --impact 0 by default)"))
+    <*> setting (option number (long "psi" <> metavar "DEGREES" <> help "With --distance: angle of the line of sight from the hole's centre"))
+    <*> setting (option number (long "eta" <> metavar "DEGREES" <> help "Position angle about the hole's centre, from right towards up (with --impact 0 by default)"))
+    <*> settingOr Exact (option (named "an integrator" [(integratorName i, i) | i <- [minBound ..]]) (long "integrator" <> metavar "NAME" <> help "exact, or leapfrog with its errors beside the exact values"))
+    <*> setting (option number (long "step" <> metavar "L" <> help "The leapfrog's base length in Schwarzschild radii (default: 0.1)"))
+    <*> toggle (long "json" <> help "Print JSON instead of a table")
+    <*> setting (strOption (long "path" <> metavar "FILE.csv" <> help "Also write the path: swept angle, r, x, y, z"))
 
 -- | A light path to look into.
 data PhotonTask = PhotonTask

@@ -35,10 +35,10 @@ data RaysOptions = RaysOptions
 raysOptions :: Parser RaysOptions
 raysOptions =
   RaysOptions
-    <$> option wholeNumber (long "rays" <> metavar "N" <> value (fanRays defaultRayFan) <> showDefault <> help "Number of rays; from 8 on, four of them wind around the hole")
-    <*> option number (long "extent" <> metavar "R" <> value (fanExtent defaultRayFan) <> showDefault <> help "Half of the figure's width in Schwarzschild radii")
-    <*> option wholeNumber (long "width" <> metavar "PIXELS" <> value (fanWidth defaultRayFan) <> showDefault <> help "Width of the figure")
-    <*> strOption (long "output" <> short 'o' <> metavar "FILE" <> value "rays.svg" <> showDefaultWith id <> help "File to write; .svg or .png decides what it is")
+    <$> settingOr (fanRays defaultRayFan) (option wholeNumber (long "rays" <> metavar "N" <> help ("Number of rays; from 8 on, four of them wind around the hole (default: " ++ show (fanRays defaultRayFan) ++ ")")))
+    <*> settingOr (fanExtent defaultRayFan) (option number (long "extent" <> metavar "R" <> help ("Half of the figure's width in Schwarzschild radii (default: " ++ show (fanExtent defaultRayFan) ++ ")")))
+    <*> settingOr (fanWidth defaultRayFan) (option wholeNumber (long "width" <> metavar "PIXELS" <> help ("Width of the figure (default: " ++ show (fanWidth defaultRayFan) ++ ")")))
+    <*> settingOr "rays.svg" (strOption (long "output" <> short 'o' <> metavar "FILE" <> help "File to write; .svg or .png decides what it is (default: rays.svg)"))
 
 -- | How the figure is written.
 data FigureFormat = Svg | Png

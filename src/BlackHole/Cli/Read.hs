@@ -1,7 +1,10 @@
--- | Readers for the values of options: strict about what they take, and with
+-- | Options and readers for their values: strict about what they take, and with
 -- messages that name the value.
 module BlackHole.Cli.Read
-  ( number,
+  ( setting,
+    settingOr,
+    toggle,
+    number,
     wholeNumber,
     seedNumber,
     vector,
@@ -16,9 +19,23 @@ where
 import BlackHole.Vector.XYZ (XYZ (..))
 import Data.Char (isDigit, toLower)
 import Data.List (intercalate, sortOn)
+import Data.Maybe (fromMaybe)
 import Data.Word (Word64)
 import Options.Applicative
 import Text.Read (readMaybe)
+
+-- | An option that need not be given; if it is given repeatedly, the last one
+-- counts, so that scripts can set defaults and let their arguments follow.
+setting :: Parser a -> Parser (Maybe a)
+setting = fmap (foldl (const Just) Nothing) . many
+
+-- | The same with a value for when it is not given.
+settingOr :: a -> Parser a -> Parser a
+settingOr standard = fmap (fromMaybe standard) . setting
+
+-- | A switch, off unless it is given, however often.
+toggle :: Mod FlagFields () -> Parser Bool
+toggle = fmap (not . null) . many . flag' ()
 
 -- | A decimal number: @40@, @.5@, @-1e3@, @+2.@; also @nan@ and @inf@, which
 -- the scene's own checks then refuse with the range that is allowed.

@@ -6,6 +6,7 @@ module BlackHole.Cli.SelfTest
   )
 where
 
+import BlackHole.Cli.Read (toggle)
 import BlackHole.SelfTest.Check (Check)
 import BlackHole.SelfTest.Suite (selfTestChecks)
 import BlackHole.SelfTest.Table
@@ -23,7 +24,7 @@ newtype SelfTestOptions = SelfTestOptions
 selfTestOptions :: Parser SelfTestOptions
 selfTestOptions =
   SelfTestOptions
-    <$> switch (long "quiet" <> short 'q' <> help "Print the last line only")
+    <$> toggle (long "quiet" <> short 'q' <> help "Print the last line only")
 
 -- | Compute every check, print the table on standard output, and return the
 -- checks. Colours only a terminal, and not if NO_COLOR is set to anything.

@@ -30,6 +30,8 @@ spec = do
       `shouldBe` Right (LookAt (XYZ (-1) 2.5 30) (XYZ 0 0 0))
   it "takes numbers as people write them" $
     fmap sceneExposure (scene ["--exposure", "-.5"]) `shouldBe` Right (Exposure (-0.5))
+  it "the last of an option given repeatedly counts" $
+    fmap scenePicture (scene ["--width", "640", "--no-disk", "--width", "320", "--no-disk"]) `shouldBe` Right (Picture 320 180)
   it "names are taken in any case" $
     fmap sceneObserver (scene ["--observer", "Falling"]) `shouldBe` Right Falling
   it "switches gravity and gas off" $
