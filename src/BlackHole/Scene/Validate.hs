@@ -86,7 +86,7 @@ validateScene scene =
 diskProblems :: Disk -> [Problem]
 diskProblems disk =
   concat
-    [ number "--disk-outer" (diskOuterRadius disk) (\r -> r > 0 && r <= 1e4) "a radius above 0 and up to 10000 (Schwarzschild radii)",
+    [ number "--disk-outer" (diskOuterRadius disk) (\r -> r > 1 && r <= 1e4) "a radius above 1 and up to 10000 (Schwarzschild radii)",
       number "--disk-inner" (diskInnerRadius disk) (\r -> r >= 0 && r < diskOuterRadius disk) "a radius from 0 to below the outer radius (Schwarzschild radii)",
       number "--disk-thickness" (diskThickness disk) (\w -> w >= 1e-4 && w <= 100) "a length from 0.0001 to 100 (Schwarzschild radii)",
       number "--disk-opacity" (diskOpacity disk) (\t -> t >= 0 && t <= 1e6) "an optical depth from 0 to 1e6",

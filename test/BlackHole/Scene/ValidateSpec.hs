@@ -4,6 +4,7 @@ import BlackHole.Light.Display (Exposure (..))
 import BlackHole.Physics.Angle
 import BlackHole.Physics.Observer
 import BlackHole.Scene.Camera
+import BlackHole.Scene.Disk
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Validate
@@ -32,6 +33,10 @@ spec = do
     complains "--camera" "NaN,1,2" (posed (LookAt (XYZ (0 / 0) 1 2) (XYZ 0 0 0)))
     complains "--look-at" "0,-4,0" (posed (LookAt (XYZ 0 9 0) (XYZ 0 (-4) 0)))
     complains "--look-at" "1,2,3" (posed (LookAt (XYZ 1 2 3) (XYZ 1 2 3)))
+    complains "--disk-outer" "1" (gas reportDisk {diskInnerRadius = 0.5, diskOuterRadius = 1})
+    complains "--disk-inner" "5" (gas reportDisk {diskInnerRadius = 5})
+    complains "--disk-thickness" "0" (gas reportDisk {diskThickness = 0})
+    complains "--temperature" "400" (gas reportDisk {diskColour = BlackBody 400})
   it "an orbiting observer needs to be outside the photon sphere, a falling one anywhere" $ do
     let at r observer = map problemOption (validateScene (posed (Around r (Degrees 80) (Degrees 0))) {sceneObserver = observer})
     at 1.5 Orbiting `shouldBe` ["--distance"]
@@ -41,6 +46,7 @@ spec = do
     map problemOption (validateScene (fieldOfView 190) {scenePicture = Picture 0 0, sceneSamples = -1})
       `shouldBe` ["--width", "--height", "--samples", "--fov"]
   where
+    gas disk = defaultScene {sceneDisk = Just disk}
     posed pose = defaultScene {sceneCamera = (sceneCamera defaultScene) {cameraPose = pose}}
     fieldOfView a = defaultScene {sceneCamera = (sceneCamera defaultScene) {cameraFieldOfView = Degrees a}}
     complains option value scene =
