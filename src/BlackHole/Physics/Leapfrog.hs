@@ -42,21 +42,22 @@ reportStepRule = ReportSteps 0.1 0.01
 
 -- | The length of the step that starts at this point.
 stepLength :: StepRule -> XYZ -> Double
-stepLength rule x = stepLengthAt rule (XYZ.norm x) x
+stepLength rule x = stepLengthAt rule (XYZ.normSquared x) x
 {-# INLINE stepLength #-}
 
--- | The same, for who knows the distance from the hole.
+-- | The same, for who knows the squared distance from the hole.
 stepLengthAt :: StepRule -> Double -> XYZ -> Double
 stepLengthAt (EqualSteps l) _ _ = l
-stepLengthAt (ReportSteps l0 w) r (XYZ _ y _)
-  | r > 40 = 10
-  -- Here 1 + e^exponent is 1 to the last bit.
-  | exponent' < -37 = l0
-  | otherwise = l0 / (1 + exp exponent')
+stepLengthAt (ReportSteps l0 w) r2 (XYZ _ y _)
+  | r2 > 1600 = 10
+  -- Most steps end here: with both exponents below −37, 1 + e^exponent is 1 to
+  -- the last bit, and neither root nor exponential is needed to know it.
+  | r2 > 26.1 && diskExponent < -37 = l0
+  | otherwise = l0 / (1 + exp (max (10 * (1.4 - sqrt r2)) diskExponent))
   where
     -- A logistic curve is monotone, so the smaller of the two belongs to the
     -- larger exponent: one exponential instead of two.
-    exponent' = max (10 * (1.4 - r)) (10 * (0.4 - abs y / (20 * w)))
+    diskExponent = 10 * (0.4 - abs y / (20 * w))
 {-# INLINE stepLengthAt #-}
 
 -- | One step of the given pseudo-time. The second argument is the squared
@@ -127,7 +128,7 @@ followLeapfrog (Leapfrog rule skyRadius limit) spacetime region start gather =
       where
         r2 = XYZ.normSquared x
         radial = XYZ.dot x v
-        dt = stepLengthAt rule (sqrt r2) x / XYZ.norm v
+        dt = stepLengthAt rule r2 x / XYZ.norm v
         (middle, v') = driftAndKick pull dt (Photon x v)
         x' = middle ^+^ (0.5 * dt) *^ v'
         escaped = case XYZ.normalize v of
