@@ -1,6 +1,8 @@
 module BlackHole.Cli.OptionsSpec (spec) where
 
 import BlackHole.Cli.Options
+import BlackHole.Cli.Photon (PhotonOptions (..))
+import BlackHole.Cli.Rays (RaysOptions (..))
 import BlackHole.Light.Display (Exposure (..))
 import BlackHole.Physics.Angle
 import BlackHole.Physics.Observer
@@ -53,6 +55,13 @@ spec = do
       other -> expectationFailure (show other)
   it "two ways to place the camera clash" $
     void (scene ["--camera", "0,1,9", "--distance", "4"]) `shouldSatisfy` either ((== ["--camera"]) . map problemOption) (const False)
+  it "photon and rays have options of their own" $ do
+    case parseArguments "v1" ["photon", "--impact", "2.65", "--json"] of
+      Run (Photon options) -> (photonImpact options, photonJson options) `shouldBe` (Just 2.65, True)
+      other -> expectationFailure (show other)
+    case parseArguments "v1" ["rays", "--extent", "5", "-o", "fan.png"] of
+      Run (Rays options) -> (raysExtent options, raysOutput options) `shouldBe` (5, "fan.png")
+      other -> expectationFailure (show other)
   it "--help and --version are not mistakes" $ do
     parseArguments "v1" ["--version"] `shouldBe` Inform "v1"
     case parseArguments "v1" ["render", "--help"] of

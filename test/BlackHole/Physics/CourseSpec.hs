@@ -5,7 +5,7 @@ import BlackHole.Physics.Course
 import BlackHole.Physics.Orbit (OrbitFate (..), deflectionAngle)
 import BlackHole.Physics.Photon
 import BlackHole.Physics.Radii (criticalImpactParameter)
-import BlackHole.Vector.XYZ (XYZ (..))
+import BlackHole.Vector.XYZ (XYZ (..), (^+^), (^-^))
 import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Maybe (fromMaybe)
 import Support.Approx
@@ -39,6 +39,22 @@ spec = do
           [ closeTo 1e-12 1 (2 * pseudoEnergy p) .&&. closeTo (1e-11 * b) b (XYZ.norm (angularMomentum p))
             | CoursePoint _ p <- coursePoints 100 0.05 (courseFromInfinity overPole b)
           ]
+    prop "moves along its velocity" $
+      forAll (oneof [choose (0.01, 2.59), choose (2.61, 50)]) $ \b ->
+        let photons = map pointPhoton (init' (coursePoints 100 0.01 (courseFromInfinity overPole b)))
+            cosine (Photon x v) (Photon x' v') =
+              let chord = x' ^-^ x
+                  mean = v ^+^ v'
+               in XYZ.dot chord mean / (XYZ.norm chord * XYZ.norm mean)
+         in conjoin (zipWith (\p q -> closeTo 1e-4 1 (cosine p q)) photons (drop 1 photons))
+    prop "crosses the plane as the same photon followed from nearby does" $
+      forAll ((,,) <$> oneof [choose (1, 2.5), choose (2.65, 12)] <*> choose (0.2, 1.4) <*> choose (-3, 3)) $ \(b, i, eta) ->
+        let course = courseFromInfinity (Sight (Radians i) (Radians eta)) b
+            nearby = [courseFromPhoton 1 p | CoursePoint _ p <- take 1 (coursePoints 60 0.05 course)]
+            same (Crossing r azimuth g) (Crossing r' azimuth' g') =
+              closeTo (1e-8 * r) r r' .&&. closeTo 1e-9 0 (sin (azimuth - azimuth')) .&&. closeTo 1e-8 g g'
+            near = filter ((< 59) . crossingRadius) . courseCrossings
+         in conjoin [length (near course) === length (near c) .&&. conjoin (zipWith same (near course) (near c)) | c <- nearby]
     it "ends at the horizon below b_c" $
       sequence_
         [ case coursePoints 100 0.05 (courseFromInfinity overPole b) of
@@ -79,6 +95,8 @@ spec = do
         ]
   where
     nan = 0 / 0
+    -- The last point is as near as it happens to be.
+    init' points = zipWith const points (drop 1 points)
     end course = case courseFate course of
       Escapes a -> a
       Captured a -> a

@@ -48,6 +48,15 @@ spec = do
       fromMaybe nan (differenceSweptAngle difference) `shouldBeWithin` (2e-3, 0)
       fromMaybe nan (differenceClosestApproach difference) `shouldBeWithin` (2e-3, 0)
       length (differenceCrossings difference) `shouldBe` 2
+    it "shifts the light of gas as the exact one does, where it orbits and where it falls" $
+      sequence_
+        [ do
+            length (differenceCrossings difference) `shouldBe` n
+            map crossingRedshift (differenceCrossings difference) `shouldSatisfy` all ((< 1e-3) . abs)
+          | (r, i, psi, eta, n) <- [(10, 45, 16, 200, 2), (20, 80, 10, 0, 1), (20, 80, 7, 90, 1), (1.2, 80, 100, 10, 0)],
+            Just course <- [courseFromCamera (Sight (toRadians (Degrees i)) (toRadians (Degrees eta))) r (toRadians (Degrees psi))],
+            let difference = reportDifference (leapfrogReport (ReportSteps 0.02 0.01) 100 course) (exactReport 100 course)
+        ]
     it "keeps h to rounding" $
       fromMaybe nan (reportAngularMomentumDrift (leapfrogReport reportStepRule 100 camera)) `shouldBeWithin` (1e-11, 0)
     it "tells fates" $
