@@ -70,12 +70,13 @@ gasShader seed shifts disk = \observed gathered stretch ->
       XYZ x y z = place
       !rho = sqrt (x * x + z * z)
       !r = XYZ.norm place
-      !height = diskThicknessAt disk rho * armThickness place rho
+      azimuth = atan2 x z
+      !height = diskThicknessAt disk rho * armThickness place azimuth rho
       !falloff = edges r * exp (negate (y * y / (height * height)))
    in if falloff < 1e-4
         then Onward gathered
         else
-          let !density = falloff * turbulence place rho
+          let !density = falloff * turbulence azimuth y rho
            in shine observed r (density * extinction) stretch gathered
   where
     !inner = diskInnerRadius disk
@@ -99,11 +100,11 @@ gasShader seed shifts disk = \observed gathered stretch ->
     -- Off the lattice, on which all octaves vanish together: the disk's plane
     -- must not lie in one of its planes.
     armPlace place = armScale *^ place ^+^ XYZ 5.3 5.3 5.3
-    armThickness place@(XYZ x _ z) rho
+    armThickness place azimuth rho
       | diskArms disk == 0 = 1
       | otherwise =
         let displacement = diskArmNoise disk * armNoise (armPlace place)
-            wave = sin (arms * atan2 x z + diskArmWinding disk * rho + displacement)
+            wave = sin (arms * azimuth + diskArmWinding disk * rho + displacement)
          in 1 - diskArmDepth disk + diskArmDepth disk * wave * wave * wave
     turbulenceNoise =
       rememberedPerlin3 $
@@ -113,16 +114,16 @@ gasShader seed shifts disk = \observed gathered stretch ->
           (normalised (octaves (clampedLevel 3) 4 0.6))
           (XYZ (negate (circumference / 2)) (turbulenceRadial 1) (turbulenceVertical (negate steepest)))
           (XYZ (circumference / 2) (turbulenceRadial outer) (turbulenceVertical steepest))
-    turbulence (XYZ x y z) rho
+    turbulence azimuth y rho
       | diskTurbulence disk == 0 = 1
-      | otherwise = exp (diskTurbulence disk * turbulenceNoise (streaks x y z rho))
+      | otherwise = exp (diskTurbulence disk * turbulenceNoise (streaks azimuth y rho))
     -- Level 3 of the grid has eight cells around the whole of it, so an angle
     -- laid around the grid's full 2³² units repeats without a seam. Gas is
     -- drawn out along its orbit, trailing outwards, and looks alike at every
     -- radius.
-    streaks x y z rho =
+    streaks azimuth y rho =
       XYZ
-        (circumference * (atan2 x z / (2 * pi) + 0.35 * log rho))
+        (circumference * (azimuth / (2 * pi) + 0.35 * log rho))
         (turbulenceRadial rho)
         (turbulenceVertical (y / rho))
     !turbulenceScale = circumference / 8 * diskTurbulenceFrequency disk
