@@ -2,6 +2,7 @@
 -- program's own numbers. The argument is the folder.
 module Main (main) where
 
+import BlackHole.Physics.Bisection (bisect)
 import BlackHole.Physics.Fate (Fate (..))
 import BlackHole.Physics.Leapfrog
 import BlackHole.Physics.LightPath
@@ -9,7 +10,6 @@ import BlackHole.Physics.Observer
 import BlackHole.Physics.Orbit (OrbitFate (Escapes), deflectionAngle, orbit, orbitFate)
 import BlackHole.Physics.Photon
 import BlackHole.Physics.Spacetime (Spacetime (..))
-import BlackHole.SelfTest.Bisection (bisect)
 import BlackHole.SelfTest.Physics (deflectionReferences)
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ

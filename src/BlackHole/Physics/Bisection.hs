@@ -1,5 +1,5 @@
 -- | Finding where something changes.
-module BlackHole.SelfTest.Bisection
+module BlackHole.Physics.Bisection
   ( bisect,
   )
 where

@@ -35,6 +35,7 @@ module BlackHole.Physics.Course
 where
 
 import BlackHole.Physics.Angle
+import BlackHole.Physics.Bisection (bisect)
 import BlackHole.Physics.Orbit
 import BlackHole.Physics.Photon
 import BlackHole.Physics.Redshift
@@ -281,17 +282,6 @@ endAngle course = case courseFate course of
   Escapes angle -> angle
   Captured angle -> angle
   Circles -> 8 * pi
-
--- | The place in an interval where a condition stops to hold, to the last bit.
-bisect :: (Double -> Bool) -> Double -> Double -> Double
-bisect holds = go (200 :: Int)
-  where
-    go n low high
-      | n <= 0 || middle <= low || middle >= high = low
-      | holds middle = go (n - 1) middle high
-      | otherwise = go (n - 1) low middle
-      where
-        middle = 0.5 * (low + high)
 
 -- | Where a path crosses the disk's plane @y = 0@ outside the horizon.
 data Crossing = Crossing

@@ -7,6 +7,7 @@
 -- the march along it only chooses where the gas is looked at.
 module BlackHole.Physics.ExactPath
   ( followExact,
+    straightImpact,
   )
 where
 
@@ -107,11 +108,7 @@ followStraight region (Photon place velocity) gather = go 0 0
   where
     !reach = enclosingRadius region
     !along = XYZ.dot place velocity
-    !closest2 = XYZ.normSquared place - along * along
-    -- Where the ray meets the black ball; only a ray that aims at it does.
-    !impact
-      | closest2 < 1 && along < 0 = negate along - sqrt (1 - closest2)
-      | otherwise = 1 / 0
+    !impact = straightImpact (Photon place velocity)
     XYZ _ climb _ = velocity
     go !n !t state
       | t >= impact = Followed Captured state n
@@ -127,6 +124,16 @@ followStraight region (Photon place velocity) gather = go 0 0
         middle = here ^+^ (0.5 * len) *^ velocity
         escaped = Followed (Escaped velocity) state n
 {-# INLINE followStraight #-}
+
+-- | How far along its straight path a photon of unit speed meets the black ball
+-- of flat space; infinite if it does not aim at it.
+straightImpact :: Photon -> Double
+straightImpact (Photon place velocity)
+  | closest2 < 1 && along < 0 = negate along - sqrt (1 - closest2)
+  | otherwise = 1 / 0
+  where
+    along = XYZ.dot place velocity
+    closest2 = XYZ.normSquared place - along * along
 
 -- | Some unit vector at right angles to a unit vector.
 perpendicularTo :: XYZ -> XYZ

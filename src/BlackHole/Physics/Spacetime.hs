@@ -2,7 +2,6 @@
 module BlackHole.Physics.Spacetime
   ( Spacetime (..),
     pullOfGravity,
-    timeDilation,
   )
 where
 
@@ -19,12 +18,3 @@ pullOfGravity :: Spacetime -> Double
 pullOfGravity Schwarzschild = 1.5
 pullOfGravity Flat = 0
 {-# INLINE pullOfGravity #-}
-
--- | @√(1 − 1/r)@: how slowly the clock of an observer at rest at radius @r@
--- runs for one at rest at infinity. 'Nothing' at and inside the horizon, where
--- nobody can be at rest.
-timeDilation :: Spacetime -> Double -> Maybe Double
-timeDilation Flat _ = Just 1
-timeDilation Schwarzschild r
-  | r > 1 = Just (sqrt (1 - 1 / r))
-  | otherwise = Nothing

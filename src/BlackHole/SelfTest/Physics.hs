@@ -11,6 +11,7 @@ where
 
 import BlackHole.Light.BlackBody (blackBodyChromaticity, secondRadiationConstant)
 import BlackHole.Noise.SipHash (SipKey (..), sipHash2)
+import BlackHole.Physics.Bisection (bisect)
 import BlackHole.Physics.Fate (Fate (..))
 import BlackHole.Physics.GasMotion (gasVelocity)
 import BlackHole.Physics.Leapfrog
@@ -22,7 +23,6 @@ import BlackHole.Physics.Photon
 import BlackHole.Physics.Redshift
 import BlackHole.Physics.Spacetime (Spacetime (..))
 import BlackHole.Physics.ThinDisk (pageThorneFlux)
-import BlackHole.SelfTest.Bisection (bisect)
 import BlackHole.SelfTest.Check
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ

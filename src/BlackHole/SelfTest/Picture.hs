@@ -7,6 +7,7 @@ where
 
 import BlackHole.Light.Radiance
 import BlackHole.Physics.Angle
+import BlackHole.Physics.Bisection (bisect)
 import BlackHole.Physics.Observer (Observer (Static))
 import BlackHole.Render.Film
 import BlackHole.Render.PixelArray (toPixelVector)
@@ -15,7 +16,6 @@ import BlackHole.Scene.Camera
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Sky
-import BlackHole.SelfTest.Bisection (bisect)
 import BlackHole.SelfTest.Check
 import BlackHole.Trace.Pixel
 import BlackHole.Vector.XY (XY (..))

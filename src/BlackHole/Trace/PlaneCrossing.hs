@@ -7,6 +7,7 @@ module BlackHole.Trace.PlaneCrossing
 where
 
 import BlackHole.Physics.Course (CoursePoint (..), courseFromPhoton, coursePlanePoints)
+import BlackHole.Physics.ExactPath (straightImpact)
 import BlackHole.Physics.Leapfrog (followLeapfrog)
 import BlackHole.Physics.LightPath
 import BlackHole.Physics.Observer (SightLine (..))
@@ -54,16 +55,11 @@ crossingAt observed (Photon place@(XYZ x _ z) velocity) =
 
 -- | A straight ray crosses once at most, and not behind the black ball.
 straightCrossing :: Photon -> Maybe Photon
-straightCrossing (Photon place@(XYZ _ y _) velocity@(XYZ _ climb _))
-  | y * climb < 0 && t < impact = Just (Photon (place ^+^ t *^ velocity) velocity)
+straightCrossing photon@(Photon place@(XYZ _ y _) velocity@(XYZ _ climb _))
+  | y * climb < 0 && t < straightImpact photon = Just (Photon (place ^+^ t *^ velocity) velocity)
   | otherwise = Nothing
   where
     t = negate y / climb
-    along = XYZ.dot place velocity
-    closest2 = XYZ.normSquared place - along * along
-    impact
-      | closest2 < 1 && along < 0 = negate along - sqrt (1 - closest2)
-      | otherwise = 1 / 0
 
 -- | Between the middles of two steps on either side of the plane.
 leapfrogCrossings :: Scene -> Photon -> [Photon]
