@@ -13,7 +13,9 @@ import qualified BlackHole.Figure.RasterSpec
 import qualified BlackHole.Figure.RayFanSpec
 import qualified BlackHole.Figure.SvgSpec
 import qualified BlackHole.Image.AtomicFileSpec
+import qualified BlackHole.Image.DeflateSpec
 import qualified BlackHole.Image.GoldenSpec
+import qualified BlackHole.Image.PngSpec
 import qualified BlackHole.Light.BlackBodySpec
 import qualified BlackHole.Light.BlackBodyTableSpec
 import qualified BlackHole.Light.CieSpec
@@ -38,6 +40,7 @@ import qualified BlackHole.Render.FilmSpec
 import qualified BlackHole.Render.PixelArraySpec
 import qualified BlackHole.Render.PixelRowsSpec
 import qualified BlackHole.Render.PixelShapeSpec
+import qualified BlackHole.Render.SharedSpec
 import qualified BlackHole.Render.WorkersSpec
 import qualified BlackHole.Scene.CameraSpec
 import qualified BlackHole.Scene.ValidateSpec
@@ -68,7 +71,9 @@ main = hspec $ do
   describe "BlackHole.Figure.RayFan" BlackHole.Figure.RayFanSpec.spec
   describe "BlackHole.Figure.Svg" BlackHole.Figure.SvgSpec.spec
   describe "BlackHole.Image.AtomicFile" BlackHole.Image.AtomicFileSpec.spec
+  describe "BlackHole.Image.Deflate" BlackHole.Image.DeflateSpec.spec
   describe "BlackHole.Image.Golden" BlackHole.Image.GoldenSpec.spec
+  describe "BlackHole.Image.Png" BlackHole.Image.PngSpec.spec
   describe "BlackHole.Light.BlackBody" BlackHole.Light.BlackBodySpec.spec
   describe "BlackHole.Light.BlackBodyTable" BlackHole.Light.BlackBodyTableSpec.spec
   describe "BlackHole.Light.Cie" BlackHole.Light.CieSpec.spec
@@ -93,6 +98,7 @@ main = hspec $ do
   describe "BlackHole.Render.PixelArray" BlackHole.Render.PixelArraySpec.spec
   describe "BlackHole.Render.PixelRows" BlackHole.Render.PixelRowsSpec.spec
   describe "BlackHole.Render.PixelShape" BlackHole.Render.PixelShapeSpec.spec
+  describe "BlackHole.Render.Shared" BlackHole.Render.SharedSpec.spec
   describe "BlackHole.Render.Workers" BlackHole.Render.WorkersSpec.spec
   describe "BlackHole.Scene.Camera" BlackHole.Scene.CameraSpec.spec
   describe "BlackHole.Scene.Validate" BlackHole.Scene.ValidateSpec.spec

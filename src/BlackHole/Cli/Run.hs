@@ -149,7 +149,8 @@ render options
               hPutStrLn stderr ("blackhole: warning: " ++ show n ++ " pixels have no finite radiance, the first at " ++ show x ++ "," ++ show y)
             _ -> pure ()
           picture <- developFilm crew (sceneExposure scene) (sceneToneMap scene) film
-          written <- writeFileAtomically output (encodePicture programName picture)
+          file <- encodePicture crew programName picture
+          written <- writeFileAtomically output file
           case written of
             Left problem -> complain CannotWrite ("--output: " ++ renderWriteProblem problem)
             Right () -> pure Done

@@ -28,4 +28,5 @@ spec = do
         Nothing -> expectationFailure "the scene is not valid"
         Just exposed -> do
           codes <- developFilm oneWorker (sceneExposure scene) (sceneToneMap scene) exposed
-          encodePicture "blackhole" codes `shouldMatchGolden` name
+          file <- encodePicture oneWorker "blackhole" codes
+          file `shouldMatchGolden` name
