@@ -20,7 +20,10 @@ import qualified BlackHole.Light.BlackBodySpec
 import qualified BlackHole.Light.BlackBodyTableSpec
 import qualified BlackHole.Light.CieSpec
 import qualified BlackHole.Light.DisplaySpec
+import qualified BlackHole.Light.DitherSpec
+import qualified BlackHole.Light.GamutSpec
 import qualified BlackHole.Light.RadianceSpec
+import qualified BlackHole.Light.ToneMapSpec
 import qualified BlackHole.Noise.LatticeSpec
 import qualified BlackHole.Noise.PerlinGSpec
 import qualified BlackHole.Noise.ProfileSpec
@@ -78,7 +81,10 @@ main = hspec $ do
   describe "BlackHole.Light.BlackBodyTable" BlackHole.Light.BlackBodyTableSpec.spec
   describe "BlackHole.Light.Cie" BlackHole.Light.CieSpec.spec
   describe "BlackHole.Light.Display" BlackHole.Light.DisplaySpec.spec
+  describe "BlackHole.Light.Dither" BlackHole.Light.DitherSpec.spec
+  describe "BlackHole.Light.Gamut" BlackHole.Light.GamutSpec.spec
   describe "BlackHole.Light.Radiance" BlackHole.Light.RadianceSpec.spec
+  describe "BlackHole.Light.ToneMap" BlackHole.Light.ToneMapSpec.spec
   describe "BlackHole.Noise.Lattice" BlackHole.Noise.LatticeSpec.spec
   describe "BlackHole.Noise.PerlinG" BlackHole.Noise.PerlinGSpec.spec
   describe "BlackHole.Noise.Profile" BlackHole.Noise.ProfileSpec.spec

@@ -15,6 +15,7 @@ import BlackHole.Cli.Rays
 import BlackHole.Cli.SelfTest (runSelfTest)
 import BlackHole.Image.AtomicFile
 import BlackHole.Image.Png (encodePicture)
+import BlackHole.Light.Dither (Dither (..))
 import BlackHole.Render.Film
 import BlackHole.Render.PixelArray (backendName)
 import BlackHole.Render.Workers
@@ -148,7 +149,7 @@ render options
             (n, Just (x, y)) ->
               hPutStrLn stderr ("blackhole: warning: " ++ show n ++ " pixels have no finite radiance, the first at " ++ show x ++ "," ++ show y)
             _ -> pure ()
-          picture <- developFilm crew (sceneExposure scene) (sceneToneMap scene) film
+          picture <- developFilm crew (sceneExposure scene) (sceneToneMap scene) BlueNoise film
           file <- encodePicture crew programName picture
           written <- writeFileAtomically output file
           case written of

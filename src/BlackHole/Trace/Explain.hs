@@ -14,6 +14,7 @@ module BlackHole.Trace.Explain
 where
 
 import BlackHole.Light.Display
+import BlackHole.Light.Dither (Dither (..))
 import BlackHole.Light.Radiance
 import BlackHole.Physics.Fate (Fate)
 import BlackHole.Physics.LightPath
@@ -110,7 +111,7 @@ explainPixel scene column row
               | index <- [0 .. sceneSamples scene - 1]
             ],
           explainedRadiance = radiance,
-          explainedShown = shownAs scene radiance
+          explainedShown = shownAs scene column row radiance
         }
   where
     Picture width height = scenePicture scene
@@ -153,12 +154,12 @@ arrival scene traced sight@(SightLine photon observed) =
 
 -- | The steps from radiance to codes, by way of the film, which keeps single
 -- precision.
-shownAs :: Scene -> Radiance -> Shown
-shownAs scene radiance =
+shownAs :: Scene -> Int -> Int -> Radiance -> Shown
+shownAs scene column row radiance =
   Shown
     { shownExposed = exposed,
       shownToneMapped = applyToneMap (sceneToneMap scene) exposed,
-      shownCodes = displayCode (sceneExposure scene) (sceneToneMap scene) onFilm
+      shownCodes = displayCode (developer (sceneExposure scene) (sceneToneMap scene)) BlueNoise column row onFilm
     }
   where
     onFilm = mapRadiance single radiance

@@ -1,6 +1,7 @@
 module BlackHole.Image.GoldenSpec (spec) where
 
 import BlackHole.Image.Png
+import BlackHole.Light.Dither (Dither (..))
 import BlackHole.Physics.Spacetime
 import BlackHole.Render.Film
 import BlackHole.Render.Workers
@@ -27,6 +28,6 @@ spec = do
       case film of
         Nothing -> expectationFailure "the scene is not valid"
         Just exposed -> do
-          codes <- developFilm oneWorker (sceneExposure scene) (sceneToneMap scene) exposed
+          codes <- developFilm oneWorker (sceneExposure scene) (sceneToneMap scene) BlueNoise exposed
           file <- encodePicture oneWorker "blackhole" codes
           file `shouldMatchGolden` name
