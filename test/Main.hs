@@ -14,6 +14,7 @@ import qualified BlackHole.Figure.RayFanSpec
 import qualified BlackHole.Figure.SvgSpec
 import qualified BlackHole.Image.AtomicFileSpec
 import qualified BlackHole.Image.DeflateSpec
+import qualified BlackHole.Image.FileSpec
 import qualified BlackHole.Image.GoldenSpec
 import qualified BlackHole.Image.PngSpec
 import qualified BlackHole.Light.BlackBodySpec
@@ -75,6 +76,7 @@ main = hspec $ do
   describe "BlackHole.Figure.Svg" BlackHole.Figure.SvgSpec.spec
   describe "BlackHole.Image.AtomicFile" BlackHole.Image.AtomicFileSpec.spec
   describe "BlackHole.Image.Deflate" BlackHole.Image.DeflateSpec.spec
+  describe "BlackHole.Image.File" BlackHole.Image.FileSpec.spec
   describe "BlackHole.Image.Golden" BlackHole.Image.GoldenSpec.spec
   describe "BlackHole.Image.Png" BlackHole.Image.PngSpec.spec
   describe "BlackHole.Light.BlackBody" BlackHole.Light.BlackBodySpec.spec

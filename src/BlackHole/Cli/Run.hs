@@ -14,7 +14,9 @@ import BlackHole.Cli.Photon
 import BlackHole.Cli.Rays
 import BlackHole.Cli.SelfTest (runSelfTest)
 import BlackHole.Image.AtomicFile
-import BlackHole.Image.Png (encodePicture)
+import BlackHole.Image.Coding (defaultCoding)
+import BlackHole.Image.Label (Label (..))
+import BlackHole.Image.Png
 import BlackHole.Light.Dither (Dither (..))
 import BlackHole.Render.Film
 import BlackHole.Render.PixelArray (backendName)
@@ -25,6 +27,7 @@ import BlackHole.Scene.Validate
 import BlackHole.SelfTest.Check (Check, checkHolds)
 import BlackHole.Trace.Explain (explainPixel)
 import Control.Exception (SomeAsyncException (..), SomeException, displayException, fromException, throwIO, try)
+import qualified Data.ByteString as Bytes
 import Data.Char (toLower)
 import Data.Version (showVersion)
 import qualified Paths_blackhole as Package
@@ -150,7 +153,7 @@ render options
               hPutStrLn stderr ("blackhole: warning: " ++ show n ++ " pixels have no finite radiance, the first at " ++ show x ++ "," ++ show y)
             _ -> pure ()
           picture <- developFilm crew (sceneExposure scene) (sceneToneMap scene) BlueNoise film
-          file <- encodePicture crew programName picture
+          file <- encodePng crew (Label programName defaultCoding Bytes.empty) (Codes8 picture)
           written <- writeFileAtomically output file
           case written of
             Left problem -> complain CannotWrite ("--output: " ++ renderWriteProblem problem)

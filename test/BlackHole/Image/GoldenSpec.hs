@@ -1,5 +1,7 @@
 module BlackHole.Image.GoldenSpec (spec) where
 
+import BlackHole.Image.Coding
+import BlackHole.Image.Label
 import BlackHole.Image.Png
 import BlackHole.Light.Dither (Dither (..))
 import BlackHole.Physics.Spacetime
@@ -9,6 +11,7 @@ import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Sky
+import qualified Data.ByteString as Bytes
 import Support.Golden
 import Test.Hspec
 
@@ -29,5 +32,5 @@ spec = do
         Nothing -> expectationFailure "the scene is not valid"
         Just exposed -> do
           codes <- developFilm oneWorker (sceneExposure scene) (sceneToneMap scene) BlueNoise exposed
-          file <- encodePicture oneWorker "blackhole" codes
+          file <- encodePng oneWorker (Label "blackhole" defaultCoding Bytes.empty) (Codes8 codes)
           file `shouldMatchGolden` name

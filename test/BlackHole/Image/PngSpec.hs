@@ -1,10 +1,13 @@
 module BlackHole.Image.PngSpec (spec) where
 
+import BlackHole.Image.Coding
+import BlackHole.Image.Label
 import BlackHole.Image.Png
 import BlackHole.Render.PixelArray
 import BlackHole.Render.PixelShape
 import BlackHole.Render.Workers
-import Codec.Picture
+import Codec.Picture hiding (encodePng)
+import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Maybe (mapMaybe)
 import qualified Data.Vector.Storable as Vector
@@ -28,7 +31,7 @@ spec = do
         _ -> expectationFailure "this is no 8-bit RGB PNG"
     encoded crew width height =
       case pixelShape width height 3 >>= \shape -> fromPixelVector shape (picture width height) of
-        Just pixels -> encodePicture crew "spec" pixels
+        Just pixels -> encodePng crew (Label "spec" defaultCoding Bytes.empty) (Codes8 pixels)
         Nothing -> Lazy.empty <$ expectationFailure "not a picture"
     -- Gradients, black, and something like noise.
     picture :: Int -> Int -> Vector.Vector Word8
