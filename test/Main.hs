@@ -40,6 +40,7 @@ import qualified BlackHole.Physics.OrbitSpec
 import qualified BlackHole.Physics.PathReportSpec
 import qualified BlackHole.Physics.RedshiftSpec
 import qualified BlackHole.Physics.ThinDiskSpec
+import qualified BlackHole.Render.BloomSpec
 import qualified BlackHole.Render.FilmSpec
 import qualified BlackHole.Render.PixelArraySpec
 import qualified BlackHole.Render.PixelRowsSpec
@@ -102,6 +103,7 @@ main = hspec $ do
   describe "BlackHole.Physics.PathReport" BlackHole.Physics.PathReportSpec.spec
   describe "BlackHole.Physics.Redshift" BlackHole.Physics.RedshiftSpec.spec
   describe "BlackHole.Physics.ThinDisk" BlackHole.Physics.ThinDiskSpec.spec
+  describe "BlackHole.Render.Bloom" BlackHole.Render.BloomSpec.spec
   describe "BlackHole.Render.Film" BlackHole.Render.FilmSpec.spec
   describe "BlackHole.Render.PixelArray" BlackHole.Render.PixelArraySpec.spec
   describe "BlackHole.Render.PixelRows" BlackHole.Render.PixelRowsSpec.spec
