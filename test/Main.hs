@@ -5,6 +5,7 @@ import qualified BlackHole.Cli.ExplainSpec
 import qualified BlackHole.Cli.JsonSpec
 import qualified BlackHole.Cli.OptionsSpec
 import qualified BlackHole.Cli.PhotonSpec
+import qualified BlackHole.Cli.PreviewSpec
 import qualified BlackHole.Cli.RaysSpec
 import qualified BlackHole.Cli.RunSpec
 import qualified BlackHole.Cli.SelfTestSpec
@@ -60,6 +61,7 @@ import qualified BlackHole.Trace.SkySpec
 import qualified BlackHole.Vector.XYSpec
 import qualified BlackHole.Vector.XYZSpec
 import qualified ProgramSpec
+import qualified Support.DifferenceSpec
 import Test.Hspec
 
 main :: IO ()
@@ -68,6 +70,7 @@ main = hspec $ do
   describe "BlackHole.Cli.Json" BlackHole.Cli.JsonSpec.spec
   describe "BlackHole.Cli.Options" BlackHole.Cli.OptionsSpec.spec
   describe "BlackHole.Cli.Photon" BlackHole.Cli.PhotonSpec.spec
+  describe "BlackHole.Cli.Preview" BlackHole.Cli.PreviewSpec.spec
   describe "BlackHole.Cli.Rays" BlackHole.Cli.RaysSpec.spec
   describe "BlackHole.Cli.Run" BlackHole.Cli.RunSpec.spec
   describe "BlackHole.Cli.SelfTest" BlackHole.Cli.SelfTestSpec.spec
@@ -123,3 +126,4 @@ main = hspec $ do
   describe "BlackHole.Vector.XY" BlackHole.Vector.XYSpec.spec
   describe "BlackHole.Vector.XYZ" BlackHole.Vector.XYZSpec.spec
   describe "Program" ProgramSpec.spec
+  describe "Support.Difference" Support.DifferenceSpec.spec
