@@ -54,16 +54,17 @@ decodeSrgb s
 -- | A signal 0…1 to the nearest of 256 codes; values outside, and NaN, go to
 -- the ends of the range.
 quantise :: Double -> Word8
-quantise = ditheredCode 0.5
+quantise s
+  | s >= 1 = 255
+  | s > 0 = ditheredCode 0.5 s
+  | otherwise = 0
 {-# INLINE quantise #-}
 
 -- | @ditheredCode threshold signal@: 'quantise' that rounds up from another part
--- of a step than one half; the threshold lies above 0 and below 1.
+-- of a step than one half. The signal lies within 0…1, the threshold above 0 and
+-- below 1.
 ditheredCode :: Double -> Double -> Word8
-ditheredCode threshold s
-  | s >= 1 = 255
-  | s > 0 = fromIntegral (truncate (s * 255 + threshold) :: Int)
-  | otherwise = 0
+ditheredCode threshold s = fromIntegral (truncate (s * 255 + threshold) :: Int)
 {-# INLINE ditheredCode #-}
 
 -- | A signal 0…1 to the nearest of 65536 codes, with the same ends.
@@ -119,10 +120,10 @@ tabulated root table u
   | otherwise = root u
 {-# INLINE tabulated #-}
 
--- | The sRGB signal of linear light from its root, 0…1.
+-- | The sRGB signal of linear light from its root, 0…1 but for the last digit;
+-- 0 for NaN.
 codedRoot :: Double -> Double
 codedRoot u
-  | u >= 1 = 1
   | u > 0 = interpolated signalTable (u * fromIntegral signalNodes)
   | otherwise = 0
 {-# INLINE codedRoot #-}

@@ -33,7 +33,7 @@ data Dither
 -- tile shifted against each other, so that their errors do not add up in
 -- brightness. Any column and row.
 ditherThreshold :: Int -> Int -> Int -> Double
-ditherThreshold channel column row = (fromIntegral (U.unsafeIndex tile (y `shiftL` 6 .|. x)) + 0.5) / 64
+ditherThreshold channel column row = (fromIntegral (U.unsafeIndex tile (y `shiftL` 6 .|. x)) + 0.5) * 0.015625
   where
     x = (column + 21 * channel) .&. (ditherTileSide - 1)
     y = (row + 43 * channel) .&. (ditherTileSide - 1)

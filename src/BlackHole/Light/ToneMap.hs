@@ -50,8 +50,8 @@ toneMapName tone = case tone of
   ToneAgx -> "agx"
 
 -- | A curve from exposed light, 0 or more, to a display's linear light, 0…1,
--- growing and with 0 at 0; and the part of the light, 0…1, that is first
--- replaced by the grey of its luminance.
+-- growing and with 0 at 0; and the part of the weakest primary, 0…1, that is first
+-- replaced by the light's luminance.
 data ToneCurve = ToneCurve !Double (Double -> Double)
 
 -- | The curve of a tone map; 'Nothing' for 'ToneNone'.
@@ -76,26 +76,26 @@ applyToneMap tone light = case toneCurve tone of
   Nothing -> fitGamut light
   Just (ToneCurve inset curve) -> mapRadiance square (keepingHue inset (\u -> sqrt (curve (u * u))) light)
   where
-    square u = u * u
+    square u = min 1 (u * u)
 
 -- | @keepingHue inset rootCurve light@: the square roots of the three primaries
--- after a curve that takes roots to roots, without falling anywhere. NaN counts as no light.
+-- after a curve that takes roots to roots, without falling anywhere. They lie
+-- within the curve's range but for the last digit. NaN counts as no light, and
+-- beside an infinite primary the result may be NaN.
 keepingHue :: Double -> (Double -> Double) -> Radiance -> Radiance
 keepingHue inset rootCurve light
   | high <= low = grey high'
   | otherwise = Radiance (between r) (between g) (between b)
   where
-    -- Roots of light without infinities, so that none meets another.
-    Radiance r g b = mapRadiance (sqrt . max 0 . min 1e30) light
+    Radiance r g b = mapRadiance (sqrt . max 0) light
     high = max r (max g b)
     low = min r (min g b)
-    high' = drawn high
-    low' = drawn low
-    drawn u
-      | inset > 0 = rootCurve (sqrt ((1 - inset) * (u * u) + inset * luminance (Radiance (r * r) (g * g) (b * b))))
-      | otherwise = rootCurve u
+    high' = rootCurve high
+    low'
+      | inset > 0 = rootCurve (sqrt ((1 - inset) * (low * low) + inset * luminance (Radiance (r * r) (g * g) (b * b))))
+      | otherwise = rootCurve low
     scale = (high' - low') / (high - low)
-    between u = min high' (low' + (u - low) * scale)
+    between u = low' + (u - low) * scale
 {-# INLINE keepingHue #-}
 
 narkowicz :: Double -> Double
