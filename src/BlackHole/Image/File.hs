@@ -17,6 +17,8 @@ import BlackHole.Light.Display (Exposure, ToneMap)
 import BlackHole.Light.Dither (Dither)
 import BlackHole.Render.Film
 import BlackHole.Render.Layer
+import BlackHole.Render.PixelArray (pixelArrayShape)
+import BlackHole.Render.PixelShape (shapeHeight, shapeWidth)
 import BlackHole.Render.Workers (Workers)
 import Control.Applicative ((<|>))
 import Data.ByteString (ByteString)
@@ -40,12 +42,15 @@ encodeFile :: Workers -> Format -> Label -> Development -> [Layer] -> Film -> IO
 encodeFile crew format label (Development exposure tone dither) layers film = case (format, bits) of
   (Png, 16) -> Just <$> (fine >>= encodePng crew label . Codes16)
   (Png, _) -> Just <$> (coarse >>= encodePng crew label . Codes8)
-  (Jpeg, _) -> Just . encodeJpeg (codingQualityOf coding) label <$> coarse
+  (Jpeg, _)
+    | shapeWidth shape > 65535 || shapeHeight shape > 65535 -> pure Nothing
+    | otherwise -> Just . encodeJpeg (codingQualityOf coding) label <$> coarse
   (Tiff, 32) -> pure (encodeTiff label (TiffLight film))
   (Tiff, _) -> encodeTiff label . TiffCodes <$> fine
   (Hdr, _) -> Just <$> encodeHdr crew label film
   (Exr, _) -> encodeExr crew (if bits == 32 then Single else Half) label layers film
   where
+    shape = pixelArrayShape film
     coding = labelCoding label
     bits = codingBitsOf format coding
     coarse = developFilm crew exposure tone dither film

@@ -5,7 +5,6 @@ module BlackHole.SelfTest.Picture
   )
 where
 
-import BlackHole.Light.Dither (Dither (..))
 import BlackHole.Light.Radiance
 import BlackHole.Physics.Angle
 import BlackHole.Physics.Bisection (bisect)
@@ -105,4 +104,4 @@ workersCheck = do
       exposed <- exposeFilm crew (const (pure ())) scene
       case exposed of
         Nothing -> pure []
-        Just film -> Vector.toList . toPixelVector <$> developFilm crew (sceneExposure scene) (sceneToneMap scene) BlueNoise film
+        Just film -> Vector.toList . toPixelVector <$> developFilm crew (sceneExposure scene) (sceneToneMap scene) (sceneDither scene) film

@@ -14,7 +14,6 @@ module BlackHole.Trace.Explain
 where
 
 import BlackHole.Light.Display
-import BlackHole.Light.Dither (Dither (..))
 import BlackHole.Light.Radiance
 import BlackHole.Physics.Fate (Fate)
 import BlackHole.Physics.LightPath
@@ -88,7 +87,7 @@ data Shown = Shown
   { shownExposed :: !Radiance,
     -- | Linear, each amount within 0…1.
     shownToneMapped :: !Radiance,
-    -- | 8-bit sRGB.
+    -- | 8-bit sRGB, without bloom, which needs the rest of the picture.
     shownCodes :: !(Word8, Word8, Word8)
   }
   deriving (Eq, Show)
@@ -159,7 +158,7 @@ shownAs scene column row radiance =
   Shown
     { shownExposed = exposed,
       shownToneMapped = applyToneMap (sceneToneMap scene) exposed,
-      shownCodes = displayCode (developer (sceneExposure scene) (sceneToneMap scene)) BlueNoise column row onFilm
+      shownCodes = displayCode (developer (sceneExposure scene) (sceneToneMap scene)) (sceneDither scene) column row onFilm
     }
   where
     onFilm = mapRadiance single radiance

@@ -3,7 +3,6 @@ module BlackHole.Image.GoldenSpec (spec) where
 import BlackHole.Image.Coding
 import BlackHole.Image.Label
 import BlackHole.Image.Png
-import BlackHole.Light.Dither (Dither (..))
 import BlackHole.Physics.Spacetime
 import BlackHole.Render.Film
 import BlackHole.Render.Workers
@@ -31,6 +30,6 @@ spec = do
       case film of
         Nothing -> expectationFailure "the scene is not valid"
         Just exposed -> do
-          codes <- developFilm oneWorker (sceneExposure scene) (sceneToneMap scene) BlueNoise exposed
+          codes <- developFilm oneWorker (sceneExposure scene) (sceneToneMap scene) (sceneDither scene) exposed
           file <- encodePng oneWorker (Label "blackhole" defaultCoding Bytes.empty) (Codes8 codes)
           file `shouldMatchGolden` name
