@@ -182,7 +182,7 @@ render options
 -- say, or else as the picture was that the scene is taken from.
 renderedScene :: RenderOptions -> IO (Either [String] (Scene, Coding))
 renderedScene options = case renderFrom options of
-  Nothing -> fmap (\scene -> (scene, asked)) <$> loadScene (renderScene options)
+  Nothing -> fmap (coded asked) <$> loadScene (renderScene options)
   Just path -> do
     outcome <- try (Bytes.readFile path)
     pure $ case outcome of
@@ -195,8 +195,9 @@ renderedScene options = case renderFrom options of
           let before
                 | formatOf path == formatOf (renderOutput options) = labelCoding label
                 | otherwise = defaultCoding
-          pure (scene, Coding (codingBits asked <|> codingBits before) (codingQuality asked <|> codingQuality before))
+          pure (coded (Coding (codingBits asked <|> codingBits before) (codingQuality asked <|> codingQuality before)) scene)
   where
+    coded coding scene = (scene, coding)
     asked = renderCoding options
 
 -- | The picture as text on standard output.
