@@ -15,15 +15,20 @@ import BlackHole.Render.Layer
 import BlackHole.Render.Workers (Workers)
 import BlackHole.Scene.File.SceneFile (printScene)
 import BlackHole.Scene.Scene
+import Control.Monad (when)
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Lazy as Lazy
+import System.Mem (performMajorGC)
 
 -- | @finishFilm workers software format coding scene layers film@: bloom, and then
 -- what 'encodeFile' does, with the program's name and version and the scene as the
 -- label. The bytes are the same for any number of workers.
 finishFilm :: Workers -> String -> Format -> Coding -> Scene -> [Layer] -> Film -> IO (Maybe Lazy.ByteString)
-finishFilm crew software format coding scene layers film =
-  bloomFilm crew (sceneBloom scene) film >>= encodeFile crew format (pictureLabel software coding scene) development layers
+finishFilm crew software format coding scene layers film = do
+  bloomed <- bloomFilm crew (sceneBloom scene) film
+  -- The film before bloom is the largest thing there is, and of no use any more.
+  when (sceneBloom scene > 0) performMajorGC
+  encodeFile crew format (pictureLabel software coding scene) development layers bloomed
   where
     development = Development (sceneExposure scene) (sceneToneMap scene) (sceneDither scene)
 

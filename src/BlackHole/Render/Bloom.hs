@@ -25,6 +25,7 @@ import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as Vector
 import Data.Vector.Storable.Mutable (MVector)
 import qualified Data.Vector.Storable.Mutable as MVector
+import System.Mem (performMajorGC)
 
 -- | @bloomFilm workers strength film@: the film with this part of its light, 0 to
 -- 1, scattered. With 0 it is the film itself. Pixels without a finite radiance
@@ -36,6 +37,9 @@ bloomFilm crew strength film
     -- A NaN would spread over the whole picture.
     finite <- if Vector.all isFinite light then pure film else mapRows crew (const clean) film
     glare <- gathered 1 (Axis (Vector.replicate width 1)) (Axis (Vector.replicate height 1)) finite
+    -- The finer levels' energies are large and of no use any more, but few: the
+    -- collector would not notice them in time.
+    performMajorGC
     generateRows crew ignore shape (blend glare)
   | otherwise = pure film
   where
