@@ -17,8 +17,10 @@ ghc=/usr/bin/ghc
 
 program_packages='ghc libghc-async-dev libghc-conduit-dev
   libghc-juicypixels-dev libghc-libyaml-dev
-  libghc-optparse-applicative-dev libghc-primitive-dev libghc-vector-dev'
-test_packages='libghc-hspec-dev libghc-quickcheck2-dev libghc-temporary-dev'
+  libghc-optparse-applicative-dev libghc-primitive-dev libghc-terminal-size-dev
+  libghc-vector-dev'
+test_packages='libghc-hspec-dev libghc-quickcheck2-dev libghc-temporary-dev
+  libghc-zlib-dev'
 bench_packages='libghc-criterion-dev'
 
 # All talk goes to standard error: standard output may be a picture's.

@@ -13,6 +13,7 @@ import BlackHole.Cli.Read
 import BlackHole.Cli.SceneCommand (SceneCommand, sceneCommand)
 import BlackHole.Cli.SceneOptions (SceneOptions, sceneOptions)
 import BlackHole.Cli.SelfTest (SelfTestOptions, selfTestOptions)
+import BlackHole.Image.Coding (Coding (..))
 import Options.Applicative
 import Options.Applicative.Help (renderHelp, unChunk)
 import System.Exit (ExitCode (..))
@@ -35,6 +36,11 @@ data Command
 data RenderOptions = RenderOptions
   { -- | What the scene is made of.
     renderScene :: !SceneOptions,
+    -- | A picture of this program that says what scene to start from.
+    renderFrom :: !(Maybe FilePath),
+    renderCoding :: !Coding,
+    -- | Draw in the terminal instead of writing a file.
+    renderPreview :: !Bool,
     renderThreads :: !(Maybe Int),
     renderPixel :: !(Maybe (Int, Int)),
     renderOutput :: !FilePath
@@ -75,7 +81,7 @@ commandLine version =
         command
           "render"
           ( info (Render <$> renderOptions) $
-              progDesc "Render one picture to a PNG file: of a scene file, if one is given, and with the options in the place of its settings."
+              progDesc "Render one picture to a file: of a scene file, if one is given, and with the options in the place of its settings."
                 <> footer "Example: blackhole render --width 1280 --inclination 75 --fov 40 -o hole.png"
           )
           <> command
@@ -108,6 +114,12 @@ renderOptions :: Parser RenderOptions
 renderOptions =
   RenderOptions
     <$> sceneOptions
+    <*> setting (strOption (long "from" <> metavar "PICTURE" <> help "Picture of this program whose scene to start from, in the place of a scene file"))
+    <*> ( Coding
+            <$> setting (option wholeNumber (long "bits" <> metavar "N" <> help "Bits per primary: PNG 8 or 16, TIFF 16 or 32, OpenEXR 16 or 32"))
+            <*> setting (option wholeNumber (long "quality" <> metavar "N" <> help "JPEG's quality, 1 to 100 (default: 92)"))
+        )
+    <*> toggle (long "preview" <> help "Draw the picture in the terminal, as large as that is, instead of writing a file")
     <*> setting (option wholeNumber (long "threads" <> metavar "N" <> help "Workers (default: one per core); the picture is the same for any number"))
     <*> setting (option pixelPlace (long "pixel" <> metavar "X,Y" <> help "Explain the colour of one pixel instead of rendering; 0,0 is the top left"))
-    <*> settingOr "blackhole.png" (strOption (long "output" <> short 'o' <> metavar "FILE" <> help "PNG file to write (default: blackhole.png)"))
+    <*> settingOr "blackhole.png" (strOption (long "output" <> short 'o' <> metavar "FILE" <> help "File to write: .png, .jpg, .tif, .hdr or .exr (default: blackhole.png)"))

@@ -11,12 +11,17 @@ where
 import BlackHole.Cli.Explain (explanationLines, pixelProblems)
 import BlackHole.Cli.Options
 import BlackHole.Cli.Photon
+import BlackHole.Cli.Preview
 import BlackHole.Cli.Rays
 import BlackHole.Cli.SceneCommand (SceneCommand (..), sceneText)
-import BlackHole.Cli.SceneOptions (loadScene)
+import BlackHole.Cli.SceneOptions
 import BlackHole.Cli.SelfTest (runSelfTest)
 import BlackHole.Image.AtomicFile
-import BlackHole.Image.Png (encodePicture)
+import BlackHole.Image.Coding
+import BlackHole.Image.File (fileLabel)
+import BlackHole.Image.Finish
+import BlackHole.Image.Label
+import BlackHole.Render.Bloom
 import BlackHole.Render.Film
 import BlackHole.Render.PixelArray (backendName)
 import BlackHole.Render.Workers
@@ -25,13 +30,18 @@ import BlackHole.Scene.Scene
 import BlackHole.Scene.Validate
 import BlackHole.SelfTest.Check (Check, checkHolds)
 import BlackHole.Trace.Explain (explainPixel)
-import Control.Exception (SomeAsyncException (..), SomeException, displayException, fromException, throwIO, try)
-import Data.Char (toLower)
+import Control.Applicative ((<|>))
+import Control.Exception (IOException, SomeAsyncException (..), SomeException, displayException, fromException, throwIO, try)
+import Control.Monad (when)
+import qualified Data.ByteString as Bytes
+import Data.List (intercalate)
 import Data.Version (showVersion)
 import qualified Paths_blackhole as Package
+import qualified System.Console.Terminal.Size as Terminal
+import System.Environment (getEnvironment)
 import System.Exit (ExitCode (..))
-import System.FilePath (takeExtension)
-import System.IO (hIsTerminalDevice, hPutStr, hPutStrLn, stderr)
+import System.IO (IOMode (ReadMode), hIsTerminalDevice, hPutStr, hPutStrLn, stderr, stdout, withBinaryFile)
+import System.IO.Error (ioeGetErrorString)
 import System.Info (compilerName, compilerVersion)
 
 -- | How a run ended.
@@ -119,45 +129,109 @@ render :: RenderOptions -> IO ExitStatus
 render options
   | problem : problems <- usageProblems = complainAll UsageError (problem : problems)
   | otherwise = do
-    resolved <- loadScene (renderScene options)
+    resolved <- renderedScene options
     case resolved of
       Left problems -> BadInput <$ mapM_ (complain BadInput) problems
-      Right scene | Just pixel <- renderPixel options -> case pixelProblem scene of
-        [] -> explain scene pixel
-        problems -> complainAll BadInput problems
-      Right scene -> do
-        crew <- maybe defaultWorkers pure (workers =<< renderThreads options)
-        writable <- checkWritable output
-        case writable of
-          Left problem -> complain CannotWrite ("--output: " ++ renderWriteProblem problem)
-          Right () -> withWorkers crew (renderTo crew scene)
+      Right (scene, coding)
+        | Just pixel <- renderPixel options -> case pixelProblems (scenePicture scene) pixel of
+          [] -> explain scene pixel
+          problems -> complainAll BadInput problems
+        | renderPreview options -> withCrew (`preview` scene)
+        | otherwise -> case formatOf output of
+          Just format | [] <- codingProblem format coding -> do
+            writable <- checkWritable output
+            case writable of
+              Left problem -> complain CannotWrite ("--output: " ++ renderWriteProblem problem)
+              Right () -> withCrew (\crew -> renderTo crew format coding scene)
+          Just format -> complainAll UsageError [Problem option value range | (option, value, range) <- codingProblem format coding]
+          Nothing -> complainAll UsageError [unknownExtension]
   where
-    pixelProblem scene = foldMap (pixelProblems (scenePicture scene)) (renderPixel options)
     output = renderOutput options
+    withCrew action = do
+      crew <- maybe defaultWorkers pure (workers =<< renderThreads options)
+      withWorkers crew (action crew)
+    unknownExtension =
+      Problem "--output" ("'" ++ output ++ "'") ("a file name that ends in " ++ intercalate ", " (map fst formatExtensions))
     usageProblems =
-      [ Problem "--output" ("'" ++ output ++ "'") "a file name that ends in .png"
-        | map toLower (takeExtension output) /= ".png"
-      ]
+      [unknownExtension | Nothing <- [formatOf output]]
         ++ [ Problem "--threads" (show n) ("a whole number from 1 to " ++ show maximumWorkers)
              | Just n <- [renderThreads options],
                Nothing <- [workers n]
            ]
-    renderTo crew scene = do
+        ++ [ Problem "--from" (show from) "possible beside a scene file; choose either"
+             | Just from <- [renderFrom options],
+               Just _ <- [sceneFile (renderScene options)]
+           ]
+    renderTo crew format coding scene = do
       interactive <- hIsTerminalDevice stderr
       let rows = pictureHeight (scenePicture scene)
       exposed <- exposeFilm crew (if interactive then tellProgress rows else const (pure ())) scene
       case exposed of
-        Nothing -> complain InternalFault "the scene passed its checks but can't be traced"
+        Nothing -> untraceable
         Just film -> do
-          case faultyPixels film of
-            (n, Just (x, y)) ->
-              hPutStrLn stderr ("blackhole: warning: " ++ show n ++ " pixels have no finite radiance, the first at " ++ show x ++ "," ++ show y)
-            _ -> pure ()
-          picture <- developFilm crew (sceneExposure scene) (sceneToneMap scene) film
-          written <- writeFileAtomically output (encodePicture programName picture)
-          case written of
-            Left problem -> complain CannotWrite ("--output: " ++ renderWriteProblem problem)
-            Right () -> pure Done
+          warnOfFaults film
+          file <- finishFilm crew programName format coding scene [] film
+          case file of
+            Nothing -> complain CannotWrite ("--output: " ++ output ++ ": this format has no room for so large a picture")
+            Just bytes -> do
+              written <- writeFileAtomically output bytes
+              case written of
+                Left problem -> complain CannotWrite ("--output: " ++ renderWriteProblem problem)
+                Right () -> pure Done
+
+-- | The scene that is asked for, and how its file is to be coded: as the options
+-- say, or else as the picture was that the scene is taken from.
+renderedScene :: RenderOptions -> IO (Either [String] (Scene, Coding))
+renderedScene options = case renderFrom options of
+  Nothing -> fmap (coded asked) <$> loadScene (renderScene options)
+  Just path -> do
+    -- The label comes before the pixels.
+    outcome <- try (withBinaryFile path ReadMode (`Bytes.hGet` 0x400000))
+    case outcome of
+      Left failure -> pure (Left [path ++ ": can't be read: " ++ ioeGetErrorString (failure :: IOException)])
+      Right bytes -> case fileLabel bytes of
+        Nothing -> pure (Left [path ++ ": this is no picture that blackhole made: it does not say of which scene"])
+        Just label -> do
+          when (labelSoftware label /= programName) $
+            hPutStrLn stderr ("blackhole: note: " ++ path ++ " was made by " ++ labelSoftware label ++ "; " ++ programName ++ " may make other bytes")
+          pure (fromLabel path label)
+  where
+    asked = renderCoding options
+    coded coding scene = (scene, coding)
+    fromLabel path label = do
+      scene <- resolveScene (renderScene options) {sceneFile = Just path} (Just (labelScene label))
+      -- Another format has other bits.
+      let before
+            | formatOf path == formatOf (renderOutput options) = labelCoding label
+            | otherwise = defaultCoding
+      pure (coded (Coding (codingBits asked <|> codingBits before) (codingQuality asked <|> codingQuality before)) scene)
+
+-- | The picture as text on standard output.
+preview :: Workers -> Scene -> IO ExitStatus
+preview crew scene = do
+  isTerminal <- hIsTerminalDevice stdout
+  environment <- getEnvironment
+  window <- Terminal.size
+  let (columns, textLines) = maybe (80, 24) (\(Terminal.Window h w) -> (w, h)) window
+      Picture width height = scenePicture scene
+      (across, down) = previewSize columns textLines (width, height)
+  exposed <- exposeFilm crew (const (pure ())) scene {scenePicture = Picture across down}
+  case exposed of
+    Nothing -> untraceable
+    Just film -> do
+      warnOfFaults film
+      bloomed <- bloomFilm crew (sceneBloom scene) film
+      codes <- developFilm crew (sceneExposure scene) (sceneToneMap scene) (sceneDither scene) bloomed
+      Done <$ putStr (previewText (palette isTerminal environment) codes)
+
+untraceable :: IO ExitStatus
+untraceable = complain InternalFault "the scene passed its checks but can't be traced"
+
+warnOfFaults :: Film -> IO ()
+warnOfFaults film = case faultyPixels film of
+  (n, Just (x, y)) ->
+    hPutStrLn stderr ("blackhole: warning: " ++ show n ++ " pixels have no finite radiance, the first at " ++ show x ++ "," ++ show y)
+  _ -> pure ()
 
 -- | Something about scenes, on standard output.
 scenes :: SceneCommand -> IO ExitStatus
@@ -174,7 +248,7 @@ scenes task = do
 explain :: Scene -> (Int, Int) -> IO ExitStatus
 explain scene (x, y) = case explainPixel scene x y of
   Just explanation -> Done <$ mapM_ putStrLn (explanationLines scene explanation)
-  Nothing -> complain InternalFault "the scene passed its checks but can't be traced"
+  Nothing -> untraceable
 
 -- | How much is done, on one line that is cleared at the end.
 tellProgress :: Int -> Int -> IO ()
