@@ -1,6 +1,11 @@
 -- | Runs every specification; the tree below mirrors @src@.
 module Main (main) where
 
+import qualified BlackHole.Animation.CameraPathSpec
+import qualified BlackHole.Animation.FilmSpec
+import qualified BlackHole.Animation.FrameNameSpec
+import qualified BlackHole.Animation.InterpolateSpec
+import qualified BlackHole.Animation.ShardSpec
 import qualified BlackHole.Cli.ExplainSpec
 import qualified BlackHole.Cli.JsonSpec
 import qualified BlackHole.Cli.OptionsSpec
@@ -27,6 +32,7 @@ import qualified BlackHole.Noise.SipHashSpec
 import qualified BlackHole.Physics.CourseSpec
 import qualified BlackHole.Physics.EllipticSpec
 import qualified BlackHole.Physics.ExactPathSpec
+import qualified BlackHole.Physics.FreeFallSpec
 import qualified BlackHole.Physics.GasMotionSpec
 import qualified BlackHole.Physics.LeapfrogSpec
 import qualified BlackHole.Physics.ObserverSpec
@@ -56,6 +62,11 @@ import Test.Hspec
 
 main :: IO ()
 main = hspec $ do
+  describe "BlackHole.Animation.CameraPath" BlackHole.Animation.CameraPathSpec.spec
+  describe "BlackHole.Animation.Film" BlackHole.Animation.FilmSpec.spec
+  describe "BlackHole.Animation.FrameName" BlackHole.Animation.FrameNameSpec.spec
+  describe "BlackHole.Animation.Interpolate" BlackHole.Animation.InterpolateSpec.spec
+  describe "BlackHole.Animation.Shard" BlackHole.Animation.ShardSpec.spec
   describe "BlackHole.Cli.Explain" BlackHole.Cli.ExplainSpec.spec
   describe "BlackHole.Cli.Json" BlackHole.Cli.JsonSpec.spec
   describe "BlackHole.Cli.Options" BlackHole.Cli.OptionsSpec.spec
@@ -82,6 +93,7 @@ main = hspec $ do
   describe "BlackHole.Physics.Course" BlackHole.Physics.CourseSpec.spec
   describe "BlackHole.Physics.Elliptic" BlackHole.Physics.EllipticSpec.spec
   describe "BlackHole.Physics.ExactPath" BlackHole.Physics.ExactPathSpec.spec
+  describe "BlackHole.Physics.FreeFall" BlackHole.Physics.FreeFallSpec.spec
   describe "BlackHole.Physics.GasMotion" BlackHole.Physics.GasMotionSpec.spec
   describe "BlackHole.Physics.Leapfrog" BlackHole.Physics.LeapfrogSpec.spec
   describe "BlackHole.Physics.Observer" BlackHole.Physics.ObserverSpec.spec
