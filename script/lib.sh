@@ -15,7 +15,7 @@ build=$root/.build
 log=$build/log
 ghc=/usr/bin/ghc
 
-program_packages='ghc libghc-async-dev libghc-juicypixels-dev
+program_packages='ghc libghc-async-dev libghc-cryptohash-sha256-dev libghc-juicypixels-dev
   libghc-optparse-applicative-dev libghc-primitive-dev libghc-vector-dev'
 test_packages='libghc-hspec-dev libghc-quickcheck2-dev libghc-temporary-dev'
 bench_packages='libghc-criterion-dev'

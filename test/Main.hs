@@ -2,9 +2,12 @@
 module Main (main) where
 
 import qualified BlackHole.Animation.CameraPathSpec
+import qualified BlackHole.Animation.ClaimSpec
+import qualified BlackHole.Animation.DigestSpec
 import qualified BlackHole.Animation.FilmSpec
 import qualified BlackHole.Animation.FrameNameSpec
 import qualified BlackHole.Animation.InterpolateSpec
+import qualified BlackHole.Animation.QueueSpec
 import qualified BlackHole.Animation.ShardSpec
 import qualified BlackHole.Cli.ExplainSpec
 import qualified BlackHole.Cli.JsonSpec
@@ -63,9 +66,12 @@ import Test.Hspec
 main :: IO ()
 main = hspec $ do
   describe "BlackHole.Animation.CameraPath" BlackHole.Animation.CameraPathSpec.spec
+  describe "BlackHole.Animation.Claim" BlackHole.Animation.ClaimSpec.spec
+  describe "BlackHole.Animation.Digest" BlackHole.Animation.DigestSpec.spec
   describe "BlackHole.Animation.Film" BlackHole.Animation.FilmSpec.spec
   describe "BlackHole.Animation.FrameName" BlackHole.Animation.FrameNameSpec.spec
   describe "BlackHole.Animation.Interpolate" BlackHole.Animation.InterpolateSpec.spec
+  describe "BlackHole.Animation.Queue" BlackHole.Animation.QueueSpec.spec
   describe "BlackHole.Animation.Shard" BlackHole.Animation.ShardSpec.spec
   describe "BlackHole.Cli.Explain" BlackHole.Cli.ExplainSpec.spec
   describe "BlackHole.Cli.Json" BlackHole.Cli.JsonSpec.spec
