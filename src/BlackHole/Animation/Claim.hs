@@ -1,4 +1,5 @@
 {-# LANGUAGE ScopedTypeVariables #-}
+{-# LANGUAGE TupleSections #-}
 
 -- | Claims: which process is rendering a frame right now.
 --
@@ -86,7 +87,7 @@ currentHolder = do
         holderBoot = boot ++ space,
         holderProcess = process,
         holderStarted = fromMaybe "" started,
-        holderJob = (\name -> (name, fromMaybe 0 (restarts >>= readMaybe))) <$> job
+        holderJob = (,fromMaybe 0 (restarts >>= readMaybe)) <$> job
       }
 
 -- | One line for each part.

@@ -8,6 +8,7 @@ import BlackHole.Animation.Queue
 import Control.Concurrent (forkIO, killThread, newEmptyMVar, putMVar, takeMVar, threadDelay)
 import Control.Concurrent.Async (concurrently)
 import Control.Exception (ErrorCall (..), throwIO)
+import Control.Monad (void)
 import qualified Data.ByteString.Lazy.Char8 as Lazy
 import Data.IORef
 import Data.List (sort)
@@ -68,7 +69,7 @@ spec = do
     ledger <- ledgerOf folder "one"
     begun <- newEmptyMVar
     let endless _ = putMVar begun () >> threadDelay 100000000 >> pure (Left "late")
-    thread <- forkIO (() <$ working ledger endless "v1" [0])
+    thread <- forkIO (void (working ledger endless "v1" [0]))
     takeMVar begun
     killThread thread
     other <- ledgerOf folder "two"
@@ -80,7 +81,7 @@ spec = do
     fmap sort (listDirectory folder) `shouldReturn` [".blackhole", "0.png", "1.png"]
     fmap sort (listDirectory (folder </> ".blackhole")) `shouldReturn` ["%d.png.film", "0.png.done", "1.png.done", "lock"]
     lists <- readFrameLists folder
-    map (fmap length) [(framePattern name, frames) | (name, frames) <- lists] `shouldBe` [(folder </> "%d.png", 3)]
+    [(framePattern name, length frames) | (name, frames) <- lists] `shouldBe` [(folder </> "%d.png", 3)]
     map snd lists `shouldBe` [[(n, scene "v1" n) | n <- [0 .. 2]]]
   it "removes the part that a dead holder has left" . inFolder $ \folder -> do
     dead <- ledgerOf folder "dead"
