@@ -7,8 +7,9 @@ import qualified BlackHole.Animation.DigestSpec
 import qualified BlackHole.Animation.FilmSpec
 import qualified BlackHole.Animation.FrameNameSpec
 import qualified BlackHole.Animation.InterpolateSpec
+import qualified BlackHole.Animation.ProgressSpec
 import qualified BlackHole.Animation.QueueSpec
-import qualified BlackHole.Animation.ShardSpec
+import qualified BlackHole.Animation.VideoSpec
 import qualified BlackHole.Cli.ExplainSpec
 import qualified BlackHole.Cli.JsonSpec
 import qualified BlackHole.Cli.OptionsSpec
@@ -22,6 +23,7 @@ import qualified BlackHole.Figure.RayFanSpec
 import qualified BlackHole.Figure.SvgSpec
 import qualified BlackHole.Image.AtomicFileSpec
 import qualified BlackHole.Image.GoldenSpec
+import qualified BlackHole.Image.TileFileSpec
 import qualified BlackHole.Light.BlackBodySpec
 import qualified BlackHole.Light.BlackBodyTableSpec
 import qualified BlackHole.Light.CieSpec
@@ -47,6 +49,7 @@ import qualified BlackHole.Render.FilmSpec
 import qualified BlackHole.Render.PixelArraySpec
 import qualified BlackHole.Render.PixelRowsSpec
 import qualified BlackHole.Render.PixelShapeSpec
+import qualified BlackHole.Render.ShardSpec
 import qualified BlackHole.Render.WorkersSpec
 import qualified BlackHole.Scene.CameraSpec
 import qualified BlackHole.Scene.ValidateSpec
@@ -71,8 +74,9 @@ main = hspec $ do
   describe "BlackHole.Animation.Film" BlackHole.Animation.FilmSpec.spec
   describe "BlackHole.Animation.FrameName" BlackHole.Animation.FrameNameSpec.spec
   describe "BlackHole.Animation.Interpolate" BlackHole.Animation.InterpolateSpec.spec
+  describe "BlackHole.Animation.Progress" BlackHole.Animation.ProgressSpec.spec
   describe "BlackHole.Animation.Queue" BlackHole.Animation.QueueSpec.spec
-  describe "BlackHole.Animation.Shard" BlackHole.Animation.ShardSpec.spec
+  describe "BlackHole.Animation.Video" BlackHole.Animation.VideoSpec.spec
   describe "BlackHole.Cli.Explain" BlackHole.Cli.ExplainSpec.spec
   describe "BlackHole.Cli.Json" BlackHole.Cli.JsonSpec.spec
   describe "BlackHole.Cli.Options" BlackHole.Cli.OptionsSpec.spec
@@ -86,6 +90,7 @@ main = hspec $ do
   describe "BlackHole.Figure.Svg" BlackHole.Figure.SvgSpec.spec
   describe "BlackHole.Image.AtomicFile" BlackHole.Image.AtomicFileSpec.spec
   describe "BlackHole.Image.Golden" BlackHole.Image.GoldenSpec.spec
+  describe "BlackHole.Image.TileFile" BlackHole.Image.TileFileSpec.spec
   describe "BlackHole.Light.BlackBody" BlackHole.Light.BlackBodySpec.spec
   describe "BlackHole.Light.BlackBodyTable" BlackHole.Light.BlackBodyTableSpec.spec
   describe "BlackHole.Light.Cie" BlackHole.Light.CieSpec.spec
@@ -111,6 +116,7 @@ main = hspec $ do
   describe "BlackHole.Render.PixelArray" BlackHole.Render.PixelArraySpec.spec
   describe "BlackHole.Render.PixelRows" BlackHole.Render.PixelRowsSpec.spec
   describe "BlackHole.Render.PixelShape" BlackHole.Render.PixelShapeSpec.spec
+  describe "BlackHole.Render.Shard" BlackHole.Render.ShardSpec.spec
   describe "BlackHole.Render.Workers" BlackHole.Render.WorkersSpec.spec
   describe "BlackHole.Scene.Camera" BlackHole.Scene.CameraSpec.spec
   describe "BlackHole.Scene.Validate" BlackHole.Scene.ValidateSpec.spec

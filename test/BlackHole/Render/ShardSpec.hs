@@ -1,6 +1,6 @@
-module BlackHole.Animation.ShardSpec (spec) where
+module BlackHole.Render.ShardSpec (spec) where
 
-import BlackHole.Animation.Shard
+import BlackHole.Render.Shard
 import Data.Either (isLeft)
 import Data.List (sort)
 import Test.Hspec
@@ -17,6 +17,11 @@ spec = do
       let parts = [takeShard (Shard i n) [1 .. size :: Int] | i <- [1 .. n]]
           lengths = map length parts
        in sort (concat parts) === [1 .. size] .&&. maximum lengths - minimum lengths <= 1
+  prop "the bands of a picture follow each other and are as high as each other but for one row" $
+    forAll ((,) <$> choose (1, 40) <*> choose (1, 5000)) $ \(n, height) ->
+      let bands = [shardRows (Shard i n) height | i <- [1 .. n]]
+       in concat [[from .. from + rows - 1] | (from, rows) <- bands] === [0 .. height - 1]
+            .&&. maximum (map snd bands) - minimum (map snd bands) <= 1
   it "takes a Slurm task's part from the array's variables" $ do
     slurm [("ID", "3"), ("MIN", "1"), ("MAX", "8"), ("COUNT", "8"), ("STEP", "1")] `shouldBe` Right (Shard 3 8)
     slurm [("ID", "0"), ("MIN", "0"), ("MAX", "3"), ("COUNT", "4")] `shouldBe` Right (Shard 1 4)

@@ -1,11 +1,12 @@
 -- | Parts of a film, or of a picture, for several processes or machines.
-module BlackHole.Animation.Shard
+module BlackHole.Render.Shard
   ( Shard (..),
     wholeShard,
     parseShard,
     renderShard,
     slurmShard,
     takeShard,
+    shardRows,
   )
 where
 
@@ -70,3 +71,12 @@ takeShard (Shard index count) = go . drop (index - 1)
   where
     go [] = []
     go (x : rest) = x : go (drop (count - 1) rest)
+
+-- | The rows of a picture of some height that are the shard's: the first one and
+-- how many. Bands of all shards lie one below the other without gaps, and differ
+-- by one row at most; with more shards than rows some are empty.
+shardRows :: Shard -> Int -> (Int, Int)
+shardRows (Shard index count) height = (edge (index - 1), edge index - edge (index - 1))
+  where
+    -- In whole numbers that no picture makes overflow.
+    edge i = fromInteger (toInteger i * toInteger height `quot` toInteger count)
