@@ -22,6 +22,7 @@
 module BlackHole.Animation.Claim
   ( Holder (..),
     currentHolder,
+    holderName,
     renderHolder,
     parseHolder,
     ClaimFolder (..),
@@ -90,7 +91,11 @@ currentHolder = do
         holderJob = (,fromMaybe 0 (restarts >>= readMaybe)) <$> job
       }
 
--- | One line for each part.
+-- | For people: process and machine.
+holderName :: Holder -> String
+holderName holder = "process " ++ show (holderProcess holder) ++ " on " ++ holderHost holder
+
+-- | For the claim's file: one line for each part.
 renderHolder :: Holder -> String
 renderHolder (Holder host boot process started job) =
   unlines $
@@ -217,7 +222,8 @@ judge (ClaimFolder folder self patience) path = do
         Left refusal
           | isDoesNotExistError refusal -> pure Absent
           | otherwise -> throwIO (refusal :: IOException)
-        Right time -> do
+        -- Where no clock can be read, nothing could be claimed either.
+        Right time -> quietly (Alive holder) $ do
           now <- folderClock folder self
           pure (if realToFrac (now - time) > patience then Abandoned holder else Alive holder)
     -- What the file system takes for now.

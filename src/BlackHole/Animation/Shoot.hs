@@ -1,0 +1,192 @@
+-- | Shoot a film: its frames into files, each once, whoever else is at it, and
+-- if asked for a film file of them.
+module BlackHole.Animation.Shoot
+  ( Shooting (..),
+    Told (..),
+    Shot (..),
+    shoot,
+    frameDigest,
+    momentsText,
+  )
+where
+
+import BlackHole.Animation.Claim (currentHolder)
+import BlackHole.Animation.Digest
+import BlackHole.Animation.Exposure
+import BlackHole.Animation.Film
+import BlackHole.Animation.FrameName
+import BlackHole.Animation.Ledger
+import BlackHole.Animation.Progress
+import BlackHole.Animation.Queue
+import BlackHole.Animation.Video
+import qualified BlackHole.Render.Film as Light
+import BlackHole.Render.Workers (Workers)
+import BlackHole.Scene.Scene
+import Control.Concurrent.MVar (modifyMVar_, newMVar, readMVar)
+import Control.Exception (onException)
+import Control.Monad (forM_, when)
+import qualified Data.ByteString.Lazy as Lazy
+import Data.Either (fromRight, isRight)
+import Data.IORef (IORef, modifyIORef', newIORef, readIORef, writeIORef)
+import Data.List.NonEmpty (NonEmpty)
+import qualified Data.List.NonEmpty as NonEmpty
+import Data.Maybe (isNothing)
+import GHC.Clock (getMonotonicTime)
+
+-- | What is to be done.
+data Shooting = Shooting
+  { shootingFilm :: !Film,
+    -- | Numbers of this run's frames, in the order in which they are made.
+    shootingFrames :: ![Int],
+    shootingName :: !FrameName,
+    -- | Seconds after which claims from other machines count as abandoned.
+    shootingPatience :: !Double,
+    shootingWorkers :: !Workers,
+    -- | The film file with the program that codes it.
+    shootingVideo :: !(Maybe (FilePath, VideoKind, FilePath)),
+    -- | A text that is equal for equal scenes, and says which program this is.
+    shootingText :: !(Scene -> String),
+    -- | The file of a frame, from its (first) scene and its light.
+    shootingDevelop :: !(Scene -> Light.Film -> IO Lazy.ByteString)
+  }
+
+-- | What the listener hears of.
+data Told
+  = -- | How far it is, and the frame in work.
+    Progressed !(Maybe Int) !Tally
+  | -- | Something that somebody should know, in one line.
+    Remark !String
+
+-- | How it went.
+data Shot = Shot
+  { shotTally :: !Tally,
+    -- | Each frame's outcome.
+    shotOutcomes :: ![(Int, Outcome)],
+    -- | Why there is no film file, if one was asked for and is lacking.
+    shotVideoFault :: !(Maybe String)
+  }
+
+-- | The fingerprint of a frame, by the text of its scenes.
+frameDigest :: (Scene -> String) -> NonEmpty Scene -> Digest
+frameDigest text = digestText . momentsText text
+
+-- | The texts of a frame's scenes.
+momentsText :: (Scene -> String) -> NonEmpty Scene -> String
+momentsText text = concatMap text . NonEmpty.toList
+
+-- | Do it. The listener hears often of progress, from one thread at a time.
+-- Frames whose scenes are not valid fail; the caller may find them beforehand
+-- ('frameScenes'). Exceptions: what the file system says of the ledger, and what
+-- comes from outside; a film file begun is then removed.
+shoot :: Shooting -> (Told -> IO ()) -> IO Shot
+shoot shooting listen = do
+  holder <- currentHolder
+  ledger <- openLedger (shootingName shooting) holder (shootingPatience shooting)
+  writeFrameList ledger [(n, digest) | n <- [0 .. filmFrames film - 1], Right digest <- [digestOf n]]
+  state <- newMVar (startTally (length frames))
+  clock <- newIORef Nothing
+  feed <- startFeed shooting listen
+  let run =
+        workThrough ledger patience (begun state clock) (ended state clock feed) (render state clock) $
+          [Job n (fromRight (digestText "") (digestOf n)) | n <- frames]
+  outcomes <- run `onException` abandonFeed feed
+  fault <- finishFeed feed
+  tally <- readMVar state
+  pure (Shot tally [(jobFrame job, outcome) | (job, outcome) <- outcomes] fault)
+  where
+    film = shootingFilm shooting
+    frames = shootingFrames shooting
+    patience = maybe LeaveOthers (const WaitForOthers) (shootingVideo shooting)
+    digestOf n = frameDigest (shootingText shooting) <$> frameScenes film n
+    begun state clock job condition = do
+      now <- getMonotonicTime
+      -- The pace is that of rendering, without the look at what is there.
+      started <- readIORef clock
+      when (isNothing started) $ writeIORef clock (Just now)
+      case condition of
+        Damaged -> listen (Remark ("frame " ++ show (jobFrame job) ++ " is damaged and is rendered again"))
+        _ -> pure ()
+      update state clock (Just (jobFrame job)) (\tally -> tally {tallyPart = 0})
+    ended state clock feed job outcome = do
+      update state clock Nothing $ \tally -> case outcome of
+        WasDone -> tally {tallyFound = tallyFound tally + 1}
+        Rendered _ -> tally {tallyRendered = tallyRendered tally + 1, tallyPart = 0}
+        Elsewhere _ -> tally {tallyElsewhere = tallyElsewhere tally + 1}
+        Failed _ -> tally {tallyFailed = tallyFailed tally + 1, tallyPart = 0}
+      feedFrame feed (jobFrame job) outcome
+    update state clock current change = modifyMVar_ state $ \before -> do
+      now <- getMonotonicTime
+      started <- readIORef clock
+      let tally = (change before) {tallySeconds = maybe 0 (now -) started}
+      listen (Progressed current tally)
+      pure tally
+    render state clock job = case frameScenes film (jobFrame job) of
+      Left problems -> pure (Left (unwords (map show problems)))
+      Right scenes -> do
+        exposed <- exposeMoments (shootingWorkers shooting) (\part -> update state clock (Just (jobFrame job)) (\tally -> tally {tallyPart = part})) scenes
+        case exposed of
+          Nothing -> pure (Left "its scenes cannot be traced together")
+          Just light -> do
+            case Light.faultyPixels light of
+              (count, Just (x, y)) ->
+                listen (Remark ("frame " ++ show (jobFrame job) ++ ": " ++ show count ++ " pixels have no finite radiance, the first at " ++ show x ++ "," ++ show y))
+              _ -> pure ()
+            Right <$> shootingDevelop shooting (NonEmpty.head scenes) light
+
+-- | Frames on their way into the film file.
+data Feed
+  = NoFeed
+  | Feed
+      { feedVideoFile :: !(Either String Video),
+        feedName :: !FrameName,
+        -- | Frames not sent yet, in the film's order.
+        feedLeft :: !(IORef [Int]),
+        -- | Finished ones that wait for one before them.
+        feedReady :: !(IORef [Int]),
+        feedFailed :: !(IORef [Int])
+      }
+
+startFeed :: Shooting -> (Told -> IO ()) -> IO Feed
+startFeed shooting listen = case shootingVideo shooting of
+  Nothing -> pure NoFeed
+  Just (coder, kind, target) -> do
+    started <- startVideo coder kind (filmRate (shootingFilm shooting)) target
+    either (\reason -> listen (Remark ("the film file cannot be made: " ++ reason))) (const (pure ())) started
+    Feed started (shootingName shooting) <$> newIORef (shootingFrames shooting) <*> newIORef [] <*> newIORef []
+
+feedFrame :: Feed -> Int -> Outcome -> IO ()
+feedFrame NoFeed _ _ = pure ()
+feedFrame feed frame outcome = do
+  case outcome of
+    WasDone -> modifyIORef' (feedReady feed) (frame :)
+    Rendered _ -> modifyIORef' (feedReady feed) (frame :)
+    _ -> modifyIORef' (feedFailed feed) (frame :)
+  advance
+  where
+    advance = do
+      left <- readIORef (feedLeft feed)
+      ready <- readIORef (feedReady feed)
+      case left of
+        next : later | next `elem` ready -> do
+          writeIORef (feedLeft feed) later
+          writeIORef (feedReady feed) (filter (/= next) ready)
+          forM_ (feedVideoFile feed) $ \video -> feedVideo video (frameFile (feedName feed) next)
+          advance
+        _ -> pure ()
+
+-- | Why there is no film file.
+finishFeed :: Feed -> IO (Maybe String)
+finishFeed NoFeed = pure Nothing
+finishFeed feed = do
+  failed <- readIORef (feedFailed feed)
+  case feedVideoFile feed of
+    Left reason -> pure (Just reason)
+    Right video
+      | null failed -> either Just (const Nothing) <$> finishVideo video
+      | otherwise -> do
+        abandonVideo video
+        pure (Just ("frames " ++ frameRanges (reverse failed) ++ " are missing"))
+
+abandonFeed :: Feed -> IO ()
+abandonFeed NoFeed = pure ()
+abandonFeed feed = when (isRight (feedVideoFile feed)) $ forM_ (feedVideoFile feed) abandonVideo
