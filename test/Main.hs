@@ -52,6 +52,7 @@ import qualified BlackHole.Render.PixelShapeSpec
 import qualified BlackHole.Render.ShardSpec
 import qualified BlackHole.Render.WorkersSpec
 import qualified BlackHole.Scene.CameraSpec
+import qualified BlackHole.Scene.File.SceneFileSpec
 import qualified BlackHole.Scene.ValidateSpec
 import qualified BlackHole.SelfTest.CheckSpec
 import qualified BlackHole.SelfTest.SuiteSpec
@@ -119,6 +120,7 @@ main = hspec $ do
   describe "BlackHole.Render.Shard" BlackHole.Render.ShardSpec.spec
   describe "BlackHole.Render.Workers" BlackHole.Render.WorkersSpec.spec
   describe "BlackHole.Scene.Camera" BlackHole.Scene.CameraSpec.spec
+  describe "BlackHole.Scene.File.SceneFile" BlackHole.Scene.File.SceneFileSpec.spec
   describe "BlackHole.Scene.Validate" BlackHole.Scene.ValidateSpec.spec
   describe "BlackHole.SelfTest.Check" BlackHole.SelfTest.CheckSpec.spec
   describe "BlackHole.SelfTest.Suite" BlackHole.SelfTest.SuiteSpec.spec

@@ -16,6 +16,8 @@ data Json
   | -- | Not finite: written as @null@, since JSON has no such numbers.
     Number !Double
   | Whole !Int
+  | -- | @true@ or @false@.
+    Truth !Bool
   | Text !String
   | List ![Json]
   | Object ![(String, Json)]
@@ -31,6 +33,7 @@ renderJson json = go "" json ++ "\n"
         | isNaN d || isInfinite d -> "null"
         | otherwise -> showDouble d
       Whole n -> show n
+      Truth b -> if b then "true" else "false"
       Text s -> quoted s
       List items -> block indent '[' ']' [(`go` item) | item <- items]
       Object members ->

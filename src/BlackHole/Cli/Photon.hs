@@ -205,6 +205,7 @@ flatten = concatMap (uncurry rows)
       Text s -> [[name, s]]
       Number d -> [[name, showDouble d]]
       Whole n -> [[name, show n]]
+      Truth b -> [[name, if b then "yes" else "no"]]
       Null -> [[name, "-"]]
 
 -- | Columns of equal width, without blanks at the ends of lines.

@@ -16,9 +16,11 @@ module BlackHole.Cli.Read
   )
 where
 
-import BlackHole.Vector.XYZ (XYZ (..))
-import Data.Char (isDigit, toLower)
-import Data.List (intercalate, sortOn)
+import BlackHole.Scene.Field.Number (readNumber, readVector, splitOn)
+import BlackHole.Scene.Problem (nearest)
+import BlackHole.Vector.XYZ (XYZ)
+import Data.Char (toLower)
+import Data.List (intercalate)
 import Data.Maybe (fromMaybe)
 import Data.Word (Word64)
 import Options.Applicative
@@ -78,58 +80,6 @@ named what choices = eitherReader $ \s ->
 notA :: String -> String -> String
 notA given what = "'" ++ given ++ "' is not " ++ what
 
--- | See 'number'.
-readNumber :: String -> Maybe Double
-readNumber s = case dropPlus s of
-  '-' : rest | noSign rest -> negate <$> unsigned rest
-  rest | noSign rest -> unsigned rest
-  _ -> Nothing
-  where
-    noSign rest = take 1 rest `notElem` ["-", "+"]
-    unsigned t = case map toLower t of
-      "nan" -> Just (0 / 0)
-      "inf" -> Just (1 / 0)
-      "infinity" -> Just (1 / 0)
-      lower -> readMaybe (completed lower)
-    -- Haskell's own grammar wants digits on both sides of the point.
-    completed t = case span isDigit t of
-      (whole, '.' : rest) ->
-        let (part, tl) = span isDigit rest
-         in if null whole && null part then t else orZero whole ++ "." ++ orZero part ++ tl
-      _ -> t
-    orZero digits = if null digits then "0" else digits
-
--- | See 'vector'.
-readVector :: String -> Maybe XYZ
-readVector s = case traverse readNumber (splitOn ',' s) of
-  Just [x, y, z] -> Just (XYZ x y z)
-  _ -> Nothing
-
 dropPlus :: String -> String
 dropPlus ('+' : rest@(c : _)) | c /= '-' = rest
 dropPlus s = s
-
-splitOn :: Char -> String -> [String]
-splitOn c s = case break (== c) s of
-  (a, _ : rest) -> a : splitOn c rest
-  (a, []) -> [a]
-
--- | The candidate most like a mistyped word, if one is near enough for the
--- difference to be a slip: at most a third of its letters.
-nearest :: String -> [String] -> Maybe String
-nearest word candidates =
-  case sortOn fst [(editDistance (map toLower word) c, c) | c <- candidates] of
-    (d, best) : _ | d > 0 && 3 * d <= length best + 1 -> Just best
-    _ -> Nothing
-
--- | Insertions, deletions and replacements between two words.
-editDistance :: String -> String -> Int
-editDistance a b = lastOr 0 (foldl row [0 .. length b] a)
-  where
-    row previous c = case previous of
-      [] -> []
-      p : rest -> scanl step (p + 1) (zip3 b previous rest)
-        where
-          step left (d, diagonal, above) =
-            minimum [left + 1, above + 1, if c == d then diagonal else diagonal + 1]
-    lastOr = foldl (\_ x -> x)

@@ -12,6 +12,8 @@ import BlackHole.Cli.Explain (explanationLines, pixelProblems)
 import BlackHole.Cli.Options
 import BlackHole.Cli.Photon
 import BlackHole.Cli.Rays
+import BlackHole.Cli.SceneCommand (SceneCommand (..), sceneText)
+import BlackHole.Cli.SceneOptions (loadScene)
 import BlackHole.Cli.SelfTest (runSelfTest)
 import BlackHole.Image.AtomicFile
 import BlackHole.Image.Png (encodePicture)
@@ -80,6 +82,7 @@ dispatch arguments = case parseArguments versionLine arguments of
   Inform text -> Done <$ putStrLn text
   Misused line -> complain UsageError (line ++ " (see: blackhole --help)")
   Run (Render options) -> render options
+  Run (Scenes task) -> scenes task
   Run (Photon options) -> photon options
   Run (Rays options) -> rays options
   Run (SelfTest options) -> selfTestStatus <$> runSelfTest options
@@ -115,17 +118,19 @@ rays options = case resolveRays options of
 render :: RenderOptions -> IO ExitStatus
 render options
   | problem : problems <- usageProblems = complainAll UsageError (problem : problems)
-  | otherwise = case resolveScene options of
-    Left problems -> complainAll BadInput problems
-    Right scene | Just pixel <- renderPixel options -> case pixelProblem scene of
-      [] -> explain scene pixel
-      problems -> complainAll BadInput problems
-    Right scene -> do
-      crew <- maybe defaultWorkers pure (workers =<< renderThreads options)
-      writable <- checkWritable output
-      case writable of
-        Left problem -> complain CannotWrite ("--output: " ++ renderWriteProblem problem)
-        Right () -> withWorkers crew (renderTo crew scene)
+  | otherwise = do
+    resolved <- loadScene (renderScene options)
+    case resolved of
+      Left problems -> BadInput <$ mapM_ (complain BadInput) problems
+      Right scene | Just pixel <- renderPixel options -> case pixelProblem scene of
+        [] -> explain scene pixel
+        problems -> complainAll BadInput problems
+      Right scene -> do
+        crew <- maybe defaultWorkers pure (workers =<< renderThreads options)
+        writable <- checkWritable output
+        case writable of
+          Left problem -> complain CannotWrite ("--output: " ++ renderWriteProblem problem)
+          Right () -> withWorkers crew (renderTo crew scene)
   where
     pixelProblem scene = foldMap (pixelProblems (scenePicture scene)) (renderPixel options)
     output = renderOutput options
@@ -153,6 +158,17 @@ render options
           case written of
             Left problem -> complain CannotWrite ("--output: " ++ renderWriteProblem problem)
             Right () -> pure Done
+
+-- | Something about scenes, on standard output.
+scenes :: SceneCommand -> IO ExitStatus
+scenes task = do
+  outcome <- sceneText task
+  case outcome of
+    Right text -> Done <$ putStr text
+    Left problems -> status task <$ mapM_ (complain (status task)) problems
+  where
+    status (ShowScene _) = UsageError
+    status _ = BadInput
 
 -- | One pixel explained instead.
 explain :: Scene -> (Int, Int) -> IO ExitStatus

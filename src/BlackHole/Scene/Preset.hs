@@ -3,6 +3,7 @@ module BlackHole.Scene.Preset
   ( presets,
     presetNames,
     findPreset,
+    describePreset,
     defaultScene,
     reportScene,
   )
@@ -30,6 +31,13 @@ presetNames = map fst presets
 -- | A preset by its name.
 findPreset :: String -> Maybe Scene
 findPreset name = lookup name presets
+
+-- | What a preset is, in one line; empty for a name that there is not.
+describePreset :: String -> String
+describePreset name = case name of
+  "default" -> "a wide disk of glowing gas, seen from a little above its plane by somebody at rest"
+  "report" -> "the picture of the design report: its camera, gas, stars and steps"
+  _ -> ""
 
 -- | A wide disk seen from a little above its plane by somebody at rest.
 defaultScene :: Scene

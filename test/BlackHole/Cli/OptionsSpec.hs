@@ -3,17 +3,18 @@ module BlackHole.Cli.OptionsSpec (spec) where
 import BlackHole.Cli.Options
 import BlackHole.Cli.Photon (PhotonOptions (..))
 import BlackHole.Cli.Rays (RaysOptions (..))
+import BlackHole.Cli.SceneOptions (resolveScene)
 import BlackHole.Light.Display (Exposure (..))
 import BlackHole.Physics.Angle
 import BlackHole.Physics.Observer
 import BlackHole.Physics.Spacetime
 import BlackHole.Scene.Camera
+import BlackHole.Scene.Field.Field (Field (..), optionName)
+import BlackHole.Scene.Field.Table (sceneFields)
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene
-import BlackHole.Scene.Validate (Problem (..))
 import BlackHole.Vector.XYZ (XYZ (..))
-import Control.Monad (void)
-import Data.List (isInfixOf)
+import Data.List (isInfixOf, nub)
 import Test.Hspec
 
 spec :: Spec
@@ -48,13 +49,19 @@ spec = do
     misused ["render", "--widht", "3"] ["--widht"]
     misused ["rendr"] ["rendr"]
     misused [] []
-    misused ["render", "stray"] ["stray"]
+    misused ["render", "one.yaml", "stray"] ["stray"]
   it "an unknown preset is told with the nearest name" $
-    case scene ["--preset", "reprot"] of
-      Left [problem] -> (problemOption problem, problemValue problem, "did you mean report" `isInfixOf` problemRange problem) `shouldBe` ("--preset", "reprot", True)
-      other -> expectationFailure (show other)
+    scene ["--preset", "reprot"]
+      `shouldBe` Left ["--preset: reprot is not a preset (did you mean report?); there are: default, report"]
   it "two ways to place the camera clash" $
-    void (scene ["--camera", "0,1,9", "--distance", "4"]) `shouldSatisfy` either ((== ["--camera"]) . map problemOption) (const False)
+    scene ["--camera", "0,1,9", "--distance", "4"]
+      `shouldBe` Left ["--camera: together with --distance, --inclination or --azimuth is not one way to place the camera; choose either"]
+  it "takes every field's option, and each field has another one" $ do
+    let names = [optionName o | f <- sceneFields, Just o <- [fieldOption f]]
+    nub names `shouldBe` names
+    case parseArguments "v1" ["render", "--help"] of
+      Inform text -> mapM_ (\o -> text `shouldSatisfy` isInfixOf o) names
+      other -> expectationFailure (show other)
   it "photon and rays have options of their own" $ do
     case parseArguments "v1" ["photon", "--impact", "2.65", "--json"] of
       Run (Photon options) -> (photonImpact options, photonJson options) `shouldBe` (Just 2.65, True)
@@ -69,8 +76,8 @@ spec = do
       other -> expectationFailure (show other)
   where
     scene arguments = case parseArguments "v1" ("render" : arguments) of
-      Run (Render options) -> resolveScene options
-      other -> Left [Problem "" (show other) ""]
+      Run (Render options) -> resolveScene (renderScene options) Nothing
+      other -> Left [show other]
     misused arguments parts =
       it (unwords ("blackhole" : arguments)) $ case parseArguments "v1" arguments of
         Misused line -> do

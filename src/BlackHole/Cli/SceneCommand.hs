@@ -1,0 +1,51 @@
+-- | @blackhole scene@: what scenes there are, and what is in them.
+module BlackHole.Cli.SceneCommand
+  ( SceneCommand (..),
+    sceneCommand,
+    sceneText,
+  )
+where
+
+import BlackHole.Cli.Json (renderJson)
+import BlackHole.Cli.SceneOptions
+import BlackHole.Cli.Schema (sceneSchema)
+import BlackHole.Scene.File.SceneFile (printScene)
+import BlackHole.Scene.Preset
+import BlackHole.Scene.Problem
+import Data.List (intercalate)
+import Options.Applicative
+
+-- | What is to be done.
+data SceneCommand
+  = -- | Name the presets.
+    ListScenes
+  | -- | Print a preset.
+    ShowScene !String
+  | -- | Say whether a scene file is right.
+    CheckScene !FilePath
+  | -- | Print the scene that a file and options make.
+    PrintScene !SceneOptions
+  | -- | Print the JSON Schema of scene files.
+    SceneSchema
+  deriving (Eq, Show)
+
+-- | The grammar of the commands.
+sceneCommand :: Parser SceneCommand
+sceneCommand =
+  hsubparser $
+    command "list" (info (pure ListScenes) (progDesc "Name the presets and what they are"))
+      <> command "show" (info (ShowScene <$> strArgument (metavar "NAME")) (progDesc "Print a preset as a commented scene file"))
+      <> command "check" (info (CheckScene <$> strArgument (metavar "SCENE.yaml")) (progDesc "Say everything that is wrong with a scene file"))
+      <> command "print" (info (PrintScene <$> sceneOptions) (progDesc "Print the whole scene that a file and the options of render make; it renders to the same bytes"))
+      <> command "schema" (info (pure SceneSchema) (progDesc "Print the JSON Schema of scene files, for editors"))
+
+-- | What a command prints, or a line for everything that is wrong.
+sceneText :: SceneCommand -> IO (Either [String] String)
+sceneText task = case task of
+  ListScenes -> pure (Right (unlines [name ++ replicate (10 - length name) ' ' ++ describePreset name | name <- presetNames]))
+  ShowScene name -> pure $ case findPreset name of
+    Just scene -> Right (printScene ["The preset " ++ name ++ ": " ++ describePreset name ++ "."] scene)
+    Nothing -> Left [renderProblem (Problem "scene show" ("'" ++ name ++ "'") ("a preset" ++ suggestion name presetNames ++ "; there are: " ++ intercalate ", " presetNames))]
+  CheckScene file -> fmap (const (file ++ ": no problems\n")) <$> loadScene (SceneOptions (Just file) Nothing [])
+  PrintScene options -> fmap (printScene ["A whole scene, with every setting."]) <$> loadScene options
+  SceneSchema -> pure (Right (renderJson sceneSchema))

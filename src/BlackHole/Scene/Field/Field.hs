@@ -1,0 +1,178 @@
+-- | One setting of a scene: everything that the command line, scene files and
+-- help know about it, and the words to define it in.
+module BlackHole.Scene.Field.Field
+  ( Field (..),
+    Topic (..),
+    topicName,
+    Option (..),
+    optionName,
+    fieldLabel,
+
+    -- * Parts of a scene
+    Part (..),
+    inside,
+
+    -- * Kinds of fields
+    number,
+    whole,
+    seed,
+    switch,
+    choice,
+    vector,
+
+    -- * Options
+    withOption,
+    withFlag,
+  )
+where
+
+import BlackHole.Scene.Field.Kind
+import BlackHole.Scene.Scene (Scene)
+import BlackHole.Vector.XYZ (XYZ)
+import Control.Monad ((>=>))
+import Data.List (find)
+import Data.Word (Word64)
+
+-- | A setting of a scene.
+data Field = Field
+  { -- | Its place in a scene file, with points between the levels:
+    -- @disk.inner-radius@.
+    fieldPath :: !String,
+    fieldTopic :: !Topic,
+    -- | One line that says what it is, with its unit.
+    fieldDoc :: !String,
+    fieldKind :: !Kind,
+    -- | Its option of @blackhole render@, if it has one.
+    fieldOption :: !(Maybe Option),
+    -- | Its value in a scene; 'Nothing' where the scene has no such thing, like
+    -- the radius of a disk that is not there.
+    fieldGet :: !(Scene -> Maybe Value),
+    -- | The scene with this value. A scene that has no such thing stays as it
+    -- is, and so does one that is given a value of another kind.
+    fieldSet :: !(Value -> Scene -> Scene)
+  }
+
+-- | What a field is about; help is grouped by it.
+data Topic
+  = Image
+  | Camera
+  | Observer
+  | Disk
+  | Sky
+  | Sampling
+  | Output
+  | Diagnostics
+  deriving (Eq, Ord, Show, Enum, Bounded)
+
+-- | The topic's name for people, as a heading.
+topicName :: Topic -> String
+topicName = show
+
+-- | An option of the command line. Names are without the dashes.
+data Option
+  = -- | An option with a value: its name, and what stands for the value in help.
+    Takes !String !String
+  | -- | An option without: its name, the value it sets, and its line of help.
+    Sets !String !Value !String
+  deriving (Eq, Show)
+
+-- | The option's name with its dashes.
+optionName :: Option -> String
+optionName (Takes name _) = "--" ++ name
+optionName (Sets name _ _) = "--" ++ name
+
+-- | What messages call the field where no scene file names it: its option, or
+-- its path if it has none.
+fieldLabel :: Field -> String
+fieldLabel f = maybe (fieldPath f) optionName (fieldOption f)
+
+-- | A part of something that may be missing from it: how to get it, and how to
+-- replace it.
+data Part whole part = Part
+  { partOf :: !(whole -> Maybe part),
+    partSet :: !(part -> whole -> whole)
+  }
+
+-- | A part of a part. Where the part is missing, nothing is replaced.
+inside :: Part whole middle -> Part middle part -> Part whole part
+inside outer inner =
+  Part
+    { partOf = partOf outer >=> partOf inner,
+      partSet = \p w -> maybe w (\m -> partSet outer (partSet inner p m) w) (partOf outer w)
+    }
+
+-- | @number topic path quantity doc part@: a number with unit and range.
+number :: Topic -> String -> Quantity -> String -> Part Scene Double -> Field
+number topic path quantity = field (NumberKind quantity) NumberValue fromValue topic path
+  where
+    fromValue (NumberValue v) = Just v
+    fromValue _ = Nothing
+
+-- | @whole topic path (least, most) unit doc part@: a whole number.
+whole :: Topic -> String -> (Int, Int) -> String -> String -> Part Scene Int -> Field
+whole topic path (low, high) unit = field (WholeKind low high unit) WholeValue fromValue topic path
+  where
+    fromValue (WholeValue n) = Just n
+    fromValue _ = Nothing
+
+-- | @seed topic path doc part@: a whole number of 64 bits.
+seed :: Topic -> String -> String -> Part Scene Word64 -> Field
+seed = field SeedKind SeedValue fromValue
+  where
+    fromValue (SeedValue n) = Just n
+    fromValue _ = Nothing
+
+-- | @switch topic path doc part@: on or off.
+switch :: Topic -> String -> String -> Part Scene Bool -> Field
+switch = field SwitchKind SwitchValue fromValue
+  where
+    fromValue (SwitchValue b) = Just b
+    fromValue _ = Nothing
+
+-- | @choice topic path what choices doc part@: one of some values, each with its
+-- name in lower case and what it means.
+choice :: Eq a => Topic -> String -> String -> [(a, String, String)] -> String -> Part Scene a -> Field
+choice topic path what choices doc part =
+  Field
+    { fieldPath = path,
+      fieldTopic = topic,
+      fieldDoc = doc,
+      fieldKind = ChoiceKind what [(name, meaning) | (_, name, meaning) <- choices],
+      fieldOption = Nothing,
+      fieldGet = \scene -> do
+        value <- partOf part scene
+        (_, name, _) <- find (\(v, _, _) -> v == value) choices
+        pure (NameValue name),
+      fieldSet = \value scene -> case value of
+        NameValue name | Just (v, _, _) <- find (\(_, n, _) -> n == name) choices -> partSet part v scene
+        _ -> scene
+    }
+
+-- | @vector topic path doc part@: three finite numbers.
+vector :: Topic -> String -> String -> Part Scene XYZ -> Field
+vector = field VectorKind VectorValue fromValue
+  where
+    fromValue (VectorValue v) = Just v
+    fromValue _ = Nothing
+
+field :: Kind -> (a -> Value) -> (Value -> Maybe a) -> Topic -> String -> String -> Part Scene a -> Field
+field kind toValue fromValue topic path doc part =
+  Field
+    { fieldPath = path,
+      fieldTopic = topic,
+      fieldDoc = doc,
+      fieldKind = kind,
+      fieldOption = Nothing,
+      fieldGet = fmap toValue . partOf part,
+      fieldSet = \value scene -> maybe scene (\v -> partSet part v scene) (fromValue value)
+    }
+
+-- | @f \`withOption\` (name, metavar)@: the field with an option that takes a
+-- value.
+withOption :: Field -> (String, String) -> Field
+withOption f (name, placeholder) = f {fieldOption = Just (Takes name placeholder)}
+
+-- | @f \`withFlag\` (name, value, help)@: the field with an option that sets
+-- this value.
+withFlag :: Field -> (String, Value, String) -> Field
+withFlag f (name, value, text) = f {fieldOption = Just (Sets name value text)}

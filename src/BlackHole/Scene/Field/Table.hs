@@ -1,0 +1,254 @@
+-- | The table of all settings of a scene. Command-line options, scene files,
+-- their printed form, the JSON Schema and the checks of ranges all come from
+-- it; see docs/architecture.md for how to add a line.
+module BlackHole.Scene.Field.Table
+  ( sceneFields,
+    findField,
+    maximumPictureSide,
+  )
+where
+
+import BlackHole.Light.Display (Exposure (..), ToneMap (..))
+import BlackHole.Physics.Angle
+import qualified BlackHole.Physics.Observer as Observer
+import BlackHole.Physics.Spacetime (Spacetime (..))
+import BlackHole.Scene.Camera (Camera (cameraFieldOfView, cameraPose, cameraRoll), Picture (..), Pose (..), posePosition)
+import BlackHole.Scene.Disk (DiskColour (..), DiskProfile (..), defaultDisk)
+import qualified BlackHole.Scene.Disk as Gas
+import BlackHole.Scene.Field.Field
+import BlackHole.Scene.Field.Kind
+import BlackHole.Scene.Scene
+import BlackHole.Scene.Shifts (Shifts (..))
+import BlackHole.Scene.Sky (Sky (..), Stars (..), defaultStars)
+import BlackHole.Vector.XYZ (XYZ (..))
+import Data.List (find)
+import Data.Maybe (isJust)
+
+-- | The most pixels a side of a picture may have.
+maximumPictureSide :: Int
+maximumPictureSide = 65536
+
+-- | A field by its path.
+findField :: String -> Maybe Field
+findField path = find ((== path) . fieldPath) sceneFields
+
+-- | Every setting, in the order in which scene files show them. Settings are
+-- applied in this order, whatever the order in which they were given: a field
+-- that chooses between alternatives comes before the fields of the
+-- alternatives, and the width before the height, for it sets both. Fields that
+-- share the beginning of their path stand together.
+sceneFields :: [Field]
+sceneFields =
+  [ whole Image "image.width" (1, maximumPictureSide) "pixels" "Width of the picture; sets the height to 9/16 of it" widthPart
+      `withOption` ("width", "PIXELS"),
+    whole Image "image.height" (1, maximumPictureSide) "pixels" "Height of the picture (default: 9/16 of the width)" heightPart
+      `withOption` ("height", "PIXELS"),
+    number Camera "camera.distance" (Quantity "a distance" Anything (UpTo 1e6) radii) "Camera's distance from the hole in Schwarzschild radii" distancePart
+      `withOption` ("distance", "R"),
+    number Camera "camera.inclination" (angle (From 0) (UpTo 180) "degrees from the disk's axis") "Camera's angle from the disk's axis in degrees: 0 above it, 90 in its plane" inclinationPart
+      `withOption` ("inclination", "DEGREES"),
+    number Camera "camera.azimuth" (angle Anything Endless "degrees") "Camera's angle around the disk's axis in degrees" azimuthPart
+      `withOption` ("azimuth", "DEGREES"),
+    vector Camera "camera.position" "Camera's place in Schwarzschild radii, instead of the three above; the disk's axis is +y" positionPart
+      `withOption` ("camera", "X,Y,Z"),
+    vector Camera "camera.look-at" "Point the camera looks at, in Schwarzschild radii, with a position (default: the hole)" lookAtPart
+      `withOption` ("look-at", "X,Y,Z"),
+    number Camera "camera.roll" (angle Anything Endless "degrees") "Turn the camera clockwise about its line of sight, in degrees" (camera (part (inDegrees . cameraRoll) (\v c -> c {cameraRoll = Degrees v})))
+      `withOption` ("roll", "DEGREES"),
+    number Camera "camera.field-of-view" (angle (Above 0) (Below 180) "degrees") "Angle of view across the width, above 0 and below 180 degrees" (camera (part (inDegrees . cameraFieldOfView) (\v c -> c {cameraFieldOfView = Degrees v})))
+      `withOption` ("fov", "DEGREES"),
+    choice Observer "observer.motion" "an observer" observers "Who looks: static, orbiting, falling, or coordinate (the report's)" (part sceneObserver (\v s -> s {sceneObserver = v}))
+      `withOption` ("observer", "WHO"),
+    switch Observer "physics.gravity" "Whether gravity bends light; without it, a black ball for the hole" gravityPart
+      `withFlag` ("no-gravity", SwitchValue False, "Straight rays, and a black ball for the hole"),
+    switch Observer "physics.doppler" "Show the shifts by the gas's motion" (shifts (part shiftsDoppler (\v s -> s {shiftsDoppler = v})))
+      `withOption` ("doppler", "on|off"),
+    switch Observer "physics.redshift" "Show the shifts by gravity" (shifts (part shiftsGravity (\v s -> s {shiftsGravity = v})))
+      `withOption` ("redshift", "on|off"),
+    choice Observer "physics.integrator" "an integrator" integrators "How light is followed: exact (closed-form orbits) or leapfrog" (part sceneIntegrator (\v s -> s {sceneIntegrator = v}))
+      `withOption` ("integrator", "NAME"),
+    number Observer "physics.step" (Quantity "a length" (From 1e-5) (UpTo 10) radii) "The leapfrog's base length in Schwarzschild radii" (part sceneStep (\v s -> s {sceneStep = v}))
+      `withOption` ("step", "L"),
+    switch Disk "disk.present" "Whether there is any gas; without it, no other setting of the disk counts" presencePart
+      `withFlag` ("no-disk", SwitchValue False, "Leave the gas out"),
+    number Disk "disk.inner-radius" (Quantity "a radius" (From 0) (UpTo 1e4) radii) "Inner radius of the gas in Schwarzschild radii" (disk (part Gas.diskInnerRadius (\v d -> d {Gas.diskInnerRadius = v})))
+      `withOption` ("disk-inner", "R"),
+    number Disk "disk.outer-radius" (Quantity "a radius" (Above 1) (UpTo 1e4) radii) "Outer radius of the gas in Schwarzschild radii" (disk (part Gas.diskOuterRadius (\v d -> d {Gas.diskOuterRadius = v})))
+      `withOption` ("disk-outer", "R"),
+    number Disk "disk.fade" (Quantity "a fraction of the outer radius" (From 0) (UpTo 1) "") "Fraction of the outer radius at which the gas has thinned to half its density" (disk (part Gas.diskFade (\v d -> d {Gas.diskFade = v}))),
+    number Disk "disk.thickness" (Quantity "a length" (From 1e-4) (UpTo 100) radii) "Height in Schwarzschild radii at which the gas has thinned to 1/e" (disk (part Gas.diskThickness (\v d -> d {Gas.diskThickness = v})))
+      `withOption` ("disk-thickness", "W"),
+    choice Disk "disk.profile" "a profile" profiles "Where that thickness holds: constant (everywhere) or opening (at the outer radius, in proportion further in)" (disk (part Gas.diskProfile (\v d -> d {Gas.diskProfile = v}))),
+    number Disk "disk.opacity" (Quantity "an optical depth" (From 0) (UpTo 1e6) "") "Optical depth of one thickness of dense gas" (disk (part Gas.diskOpacity (\v d -> d {Gas.diskOpacity = v})))
+      `withOption` ("disk-opacity", "TAU"),
+    number Disk "disk.brightness" (Quantity "a radiance" (From 0) (UpTo 1e9) "") "Radiance of opaque gas where it is brightest; 1 is display white at exposure 0" (disk (part Gas.diskBrightness (\v d -> d {Gas.diskBrightness = v}))),
+    choice Disk "disk.colour" "a way to colour the gas" [(False, "hue-ramp", "yellow inside to red outside, without physics"), (True, "black-body", "by its temperature")] "How the gas shines: black-body, or hue-ramp (the report's)" colourPart,
+    number Disk "disk.temperature" (Quantity "a temperature" (From 500) (UpTo 1e6) "kelvin") "Temperature in kelvin of the gas where it is hottest; makes it a black body" temperaturePart
+      `withOption` ("temperature", "KELVIN"),
+    whole Disk "disk.arms.count" (0, 1000) "" "Number of spiral arms, 0 for none" (disk (part Gas.diskArms (\v d -> d {Gas.diskArms = v}))),
+    number Disk "disk.arms.winding" (Quantity "an angle" (From (-1e4)) (UpTo 1e4) "radians per Schwarzschild radius") "Radians that an arm turns per Schwarzschild radius outwards" (disk (part Gas.diskArmWinding (\v d -> d {Gas.diskArmWinding = v}))),
+    number Disk "disk.arms.depth" (Quantity "a fraction" (From 0) (UpTo 0.5) "") "How much thinner the disk is between the arms, 0 to 0.5" (disk (part Gas.diskArmDepth (\v d -> d {Gas.diskArmDepth = v}))),
+    number Disk "disk.arms.noise" (Quantity "an angle" (From 0) (UpTo 1000) "radians") "Radians by which noise displaces the arms" (disk (part Gas.diskArmNoise (\v d -> d {Gas.diskArmNoise = v}))),
+    number Disk "disk.arms.noise-frequency" (Quantity "a number of features" (From 0) (UpTo 1000) "per Schwarzschild radius") "Features of that noise per Schwarzschild radius" (disk (part Gas.diskArmNoiseFrequency (\v d -> d {Gas.diskArmNoiseFrequency = v}))),
+    whole Disk "disk.arms.noise-octaves" (1, 20) "" "Octaves of that noise" (disk (part Gas.diskArmNoiseOctaves (\v d -> d {Gas.diskArmNoiseOctaves = v}))),
+    number Disk "disk.turbulence.strength" (Quantity "a number" (From 0) (UpTo 100) "") "Strength of the turbulence in the density, 0 for smooth gas" (disk (part Gas.diskTurbulence (\v d -> d {Gas.diskTurbulence = v}))),
+    number Disk "disk.turbulence.frequency" (Quantity "a number of features" (From 0) (UpTo 1000) "") "Features of the turbulence from one radius to e times it" (disk (part Gas.diskTurbulenceFrequency (\v d -> d {Gas.diskTurbulenceFrequency = v}))),
+    choice Sky "sky.kind" "a sky" skies "What lies behind: noise (stars), grid, uniform, or none" skyKindPart
+      `withOption` ("sky", "NAME"),
+    number Sky "sky.radiance" (Quantity "a radiance" (From 0) (UpTo 1e9) "") "Radiance of a uniform sky; 1 is display white at exposure 0" radiancePart,
+    number Sky "sky.stars.frequency" (Quantity "a number of features" (Above 0) (UpTo 1e6) "per radian") "Features of the stars' noise per radian" (stars (part starFrequency (\v s -> s {starFrequency = v}))),
+    whole Sky "sky.stars.octaves" (1, 20) "" "Octaves of that noise: one gives round stars, more give shreds of light" (stars (part starOctaves (\v s -> s {starOctaves = v}))),
+    number Sky "sky.stars.threshold" (Quantity "a noise level" (From (-1)) (UpTo 1) "") "Noise level, -1 to 1, at which a star has half its brightness" (stars (part starThreshold (\v s -> s {starThreshold = v}))),
+    number Sky "sky.stars.sharpness" (Quantity "a steepness" (Above 0) (UpTo 1e6) "") "Steepness of a star's edge" (stars (part starSharpness (\v s -> s {starSharpness = v}))),
+    number Sky "sky.stars.brightness" (Quantity "a radiance" (From 0) (UpTo 1e9) "") "Radiance of the brightest stars; 1 is display white at exposure 0" (stars (part starBrightness (\v s -> s {starBrightness = v}))),
+    switch Sky "sky.stars.colours" "Whether stars have the colours of black bodies, or are all white" (stars (part starColours (\v s -> s {starColours = v}))),
+    whole Sampling "sampling.samples" (1, 65536) "" "Rays per pixel" (part sceneSamples (\v s -> s {sceneSamples = v}))
+      `withOption` ("samples", "N"),
+    seed Sampling "sampling.seed" "Seed of gas, stars and sampling, from 0 to 2^64 - 1" (part sceneSeed (\v s -> s {sceneSeed = v}))
+      `withOption` ("seed", "N"),
+    number Output "output.exposure" (Quantity "a number of stops" (From (-100)) (UpTo 100) "") "Brighter (+) or darker (-) by powers of two (stops)" (part (exposureStops . sceneExposure) (\v s -> s {sceneExposure = Exposure v}))
+      `withOption` ("exposure", "STOPS"),
+    choice Output "output.tone-map" "a tone map" toneMaps "How bright light is brought into range: none or film" (part sceneToneMap (\v s -> s {sceneToneMap = v}))
+      `withOption` ("tone-map", "NAME"),
+    switch Diagnostics "diagnostics.debug-textures" "Parity checks instead of gas and sky" (part sceneDebugTextures (\v s -> s {sceneDebugTextures = v}))
+      `withFlag` ("debug-textures", SwitchValue True, "Parity checks instead of gas and sky")
+  ]
+  where
+    radii = "Schwarzschild radii"
+    angle = Quantity "an angle"
+    observers =
+      [ (Observer.Static, Observer.observerName Observer.Static, "at rest"),
+        (Observer.Orbiting, Observer.observerName Observer.Orbiting, "on a circular orbit"),
+        (Observer.Falling, Observer.observerName Observer.Falling, "falling in from rest at infinity"),
+        (Observer.Coordinate, Observer.observerName Observer.Coordinate, "the report's: nobody real")
+      ]
+    integrators =
+      [ (Exact, integratorName Exact, "closed-form orbits"),
+        (Leapfrogging, integratorName Leapfrogging, "the report's steps")
+      ]
+    profiles = [(ConstantThickness, "constant", "the same everywhere"), (ConstantOpening, "opening", "in proportion to the distance")]
+    skies =
+      [ (NoiseSky, "noise", "stars"),
+        (GridSky, "grid", "fields of 10 degrees"),
+        (UniformSky, "uniform", "the same light everywhere"),
+        (NoSky, "none", "dark")
+      ]
+    toneMaps = [(ToneNone, "none", "as it is"), (ToneFilm, "film", "a soft shoulder")]
+
+-- | A part that is always there.
+part :: (whole -> part) -> (part -> whole -> whole) -> Part whole part
+part get = Part (Just . get)
+
+-- The height follows the width unless it is set itself.
+widthPart, heightPart :: Part Scene Int
+widthPart = part (pictureWidth . scenePicture) $ \w s ->
+  let height
+        | w > 0 = max 1 (round (fromIntegral w * 9 / 16 :: Double))
+        | otherwise = pictureHeight (scenePicture s)
+   in s {scenePicture = Picture w height}
+heightPart = part (pictureHeight . scenePicture) (\h s -> s {scenePicture = (scenePicture s) {pictureHeight = h}})
+
+camera :: Part Camera a -> Part Scene a
+camera = inside (part sceneCamera (\c s -> s {sceneCamera = c}))
+
+-- An angle or distance given for a camera that stands at a place moves it from
+-- there.
+distancePart, inclinationPart, azimuthPart :: Part Scene Double
+distancePart = around (\r _ _ -> r) (\r (_, i, a) -> Around r i a)
+inclinationPart = around (\_ i _ -> inDegrees i) (\i (r, _, a) -> Around r (Degrees i) a)
+azimuthPart = around (\_ _ a -> inDegrees a) (\a (r, i, _) -> Around r i (Degrees a))
+
+around :: (Double -> Degrees -> Degrees -> Double) -> (Double -> (Double, Degrees, Degrees) -> Pose) -> Part Scene Double
+around get put =
+  camera . pose $
+    Part
+      shown
+      (\v -> put v . spherical)
+  where
+    shown (Around r i a) = Just (get r i a)
+    shown (LookAt _ _) = Nothing
+    spherical (Around r i a) = (r, i, a)
+    spherical (LookAt (XYZ x y z) _) =
+      let rho = sqrt (x * x + z * z)
+       in ( sqrt (rho * rho + y * y),
+            toDegrees (Radians (atan2 rho y)),
+            toDegrees (Radians (atan2 z x))
+          )
+
+-- A place alone looks at the hole; a target alone is looked at from where the
+-- camera stands.
+positionPart, lookAtPart :: Part Scene XYZ
+positionPart = camera . pose $ Part (fmap fst . placed) (\place _ -> LookAt place (XYZ 0 0 0))
+lookAtPart = camera . pose $ Part (fmap snd . placed) (\target p -> LookAt (posePosition p) target)
+
+placed :: Pose -> Maybe (XYZ, XYZ)
+placed (LookAt place target) = Just (place, target)
+placed Around {} = Nothing
+
+pose :: Part Pose a -> Part Camera a
+pose = inside (part cameraPose (\p c -> c {cameraPose = p}))
+
+shifts :: Part Shifts a -> Part Scene a
+shifts = inside (part sceneShifts (\v s -> s {sceneShifts = v}))
+
+gravityPart :: Part Scene Bool
+gravityPart = part ((== Schwarzschild) . sceneSpacetime) (\on s -> s {sceneSpacetime = if on then Schwarzschild else Flat})
+
+presencePart :: Part Scene Bool
+presencePart = part (isJust . sceneDisk) $ \present s -> case (present, sceneDisk s) of
+  (False, _) -> s {sceneDisk = Nothing}
+  (True, Nothing) -> s {sceneDisk = Just defaultDisk}
+  (True, Just _) -> s
+
+disk :: Part Gas.Disk a -> Part Scene a
+disk = inside (Part sceneDisk (\d s -> s {sceneDisk = Just d}))
+
+-- Whether the gas is a black body.
+colourPart :: Part Scene Bool
+colourPart = disk . part (isJust . temperature . Gas.diskColour) $ \blackBody d ->
+  case (blackBody, Gas.diskColour d) of
+    (False, _) -> d {Gas.diskColour = HueRamp}
+    (True, HueRamp) -> d {Gas.diskColour = BlackBody 4500}
+    (True, BlackBody _) -> d
+
+temperaturePart :: Part Scene Double
+temperaturePart = disk (Part (temperature . Gas.diskColour) (\v d -> d {Gas.diskColour = BlackBody v}))
+
+temperature :: DiskColour -> Maybe Double
+temperature HueRamp = Nothing
+temperature (BlackBody t) = Just t
+
+-- | The kinds of sky without what belongs to them.
+data SkyKind = NoiseSky | GridSky | UniformSky | NoSky
+  deriving (Eq)
+
+-- Choosing the kind that is there already leaves its settings alone.
+skyKindPart :: Part Scene SkyKind
+skyKindPart = part (skyKind . sceneSky) $ \kind s ->
+  if kind == skyKind (sceneSky s) then s else s {sceneSky = standard kind}
+  where
+    standard kind = case kind of
+      NoiseSky -> SkyNoise defaultStars
+      GridSky -> SkyGrid
+      UniformSky -> SkyUniform 1
+      NoSky -> SkyNone
+
+skyKind :: Sky -> SkyKind
+skyKind sky = case sky of
+  SkyNoise _ -> NoiseSky
+  SkyGrid -> GridSky
+  SkyUniform _ -> UniformSky
+  SkyNone -> NoSky
+
+radiancePart :: Part Scene Double
+radiancePart = Part (uniform . sceneSky) $ \v s ->
+  if skyKind (sceneSky s) == UniformSky then s {sceneSky = SkyUniform v} else s
+  where
+    uniform (SkyUniform v) = Just v
+    uniform _ = Nothing
+
+stars :: Part Stars a -> Part Scene a
+stars = inside (Part (noise . sceneSky) (\v s -> s {sceneSky = SkyNoise v}))
+  where
+    noise (SkyNoise v) = Just v
+    noise _ = Nothing
