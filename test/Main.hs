@@ -4,6 +4,7 @@ module Main (main) where
 import qualified BlackHole.Animation.CameraPathSpec
 import qualified BlackHole.Animation.ClaimSpec
 import qualified BlackHole.Animation.DigestSpec
+import qualified BlackHole.Animation.FilmFileSpec
 import qualified BlackHole.Animation.FilmSpec
 import qualified BlackHole.Animation.FrameNameSpec
 import qualified BlackHole.Animation.InterpolateSpec
@@ -72,6 +73,7 @@ main = hspec $ do
   describe "BlackHole.Animation.CameraPath" BlackHole.Animation.CameraPathSpec.spec
   describe "BlackHole.Animation.Claim" BlackHole.Animation.ClaimSpec.spec
   describe "BlackHole.Animation.Digest" BlackHole.Animation.DigestSpec.spec
+  describe "BlackHole.Animation.FilmFile" BlackHole.Animation.FilmFileSpec.spec
   describe "BlackHole.Animation.Film" BlackHole.Animation.FilmSpec.spec
   describe "BlackHole.Animation.FrameName" BlackHole.Animation.FrameNameSpec.spec
   describe "BlackHole.Animation.Interpolate" BlackHole.Animation.InterpolateSpec.spec

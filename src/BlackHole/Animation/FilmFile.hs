@@ -101,15 +101,15 @@ trackValue kind values = case (kind, values) of
 type Faults = [(Int, Problem)]
 
 -- | Read the section from a file's root: the film of a scene, and everything
--- that is wrong with the section, with lines. Without the section there is a
--- fault that says so.
-readAnimation :: Node -> (Scene -> Film, Faults)
+-- that is wrong with the section, with lines. 'Nothing' if there is no such
+-- section.
+readAnimation :: Node -> Maybe (Scene -> Film, [(Int, Problem)])
 readAnimation root = case root of
-  Mapping line members -> case [(at, value) | (at, key, value) <- members, key == animationKey] of
-    [(_, section)] -> readSection section
-    [] -> (stillFilm, [(line, Problem animationKey "nothing" "what a film needs: a section that says what changes from frame to frame")])
-    _ : (second, _) : _ -> (stillFilm, [(second, Problem animationKey ("a second '" ++ animationKey ++ "'") "possible")])
-  _ -> (stillFilm, [])
+  Mapping _ members -> case [(at, value) | (at, key, value) <- members, key == animationKey] of
+    [] -> Nothing
+    [(_, section)] -> Just (readSection section)
+    _ : (second, _) : _ -> Just (stillFilm, [(second, Problem animationKey ("a second '" ++ animationKey ++ "'") "possible")])
+  _ -> Nothing
 
 readSection :: Node -> (Scene -> Film, Faults)
 readSection section = (film, faults)
@@ -149,7 +149,7 @@ readSection section = (film, faults)
 
 readPath :: Node -> (Maybe CameraPath, Faults)
 readPath node = case value "kind" of
-  Just (_, NameValue kind) -> (if null missing then build kind else Nothing, formFaults ++ surplus kind ++ missing)
+  Just (_, NameValue kind) -> (if null missing then build kind else Nothing, formFaults ++ surplus kind ++ missing ++ both)
     where
       missing = [(nodeLine node, Problem pathLabel ("a path of the kind " ++ kind ++ " without " ++ wanted) "complete") | wanted <- lacking kind]
   _ -> (Nothing, formFaults ++ [(nodeLine node, Problem pathLabel "without kind" "complete") | null formFaults])
@@ -163,6 +163,11 @@ readPath node = case value "kind" of
           (known, _, allowed) <- pathKinds,
           known == kind,
           name `notElem` ("kind" : allowed)
+      ]
+    both =
+      [ (line, Problem pathLabel "both end-distance and rate" "possible; give one of them")
+        | Just _ <- [value "rate"],
+          Just (line, _) <- [value "end-distance"]
       ]
     lacking kind = case kind of
       "dolly" -> ["to" | Nothing <- [value "to"]]
@@ -195,14 +200,16 @@ readTracks node = case node of
         | otherwise = case findField path of
           Just field
             | isTrackable field -> readTrack label field keys
-            | otherwise -> (Nothing, [(line, Problem label "a field without numbers that could change" ("possible; fields with keys are: " ++ known))])
-          Nothing -> (Nothing, [(line, Problem label ("'" ++ path ++ "'") ("a field of a scene" ++ suggestion path names ++ "; fields with keys are: " ++ known))])
+            | otherwise -> (Nothing, [(line, Problem label "a field without numbers that could change" "possible")])
+          Nothing -> (Nothing, [(line, Problem label ("'" ++ path ++ "'") ("a field of a scene" ++ hint path))])
         where
           label = within ("keyframes." ++ path)
   _ -> ([], [(nodeLine node, Problem (within "keyframes") (nodeText node) "a group of fields, each with times and values")])
   where
     names = map fieldPath (filter isTrackable sceneFields)
-    known = intercalate ", " names
+    hint path = case suggestion path names of
+      "" -> " that is a number or a vector (blackhole scene show default lists all fields)"
+      text -> text
 
 readTrack :: String -> Field -> Node -> (Maybe Track, Faults)
 readTrack label field node = case node of
@@ -215,7 +222,12 @@ readTrack label field node = case node of
       (options, _, formFaults) = entriesWith isTime [label] trackEntries [] node
       isTime = isJust . readNumber
       found = [(at, text, value) | (at, text, value) <- members, isTime text]
-      faults = formFaults ++ concat [either pure (const []) (keyOf m) | m <- found] ++ turnFaults
+      faults = formFaults ++ concat [either pure (const []) (keyOf m) | m <- found] ++ twice ++ turnFaults
+      twice =
+        [ (at, Problem (label ++ "." ++ text) "a second value for this time" "possible")
+          | (i, (at, text, _)) <- zip [0 :: Int ..] found,
+            readNumber text `elem` [readNumber earlier | (j, (_, earlier, _)) <- zip [0 ..] found, j < i]
+        ]
       keys = [key | m <- found, Right key <- [keyOf m]]
       way = case lookup "interpolation" options of
         Just (_, NameValue name) -> fromMaybe Linear (find ((== name) . interpolationName) [minBound ..])

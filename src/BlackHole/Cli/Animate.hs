@@ -19,6 +19,7 @@ import BlackHole.Animation.Queue (Outcome (..))
 import BlackHole.Animation.Shoot
 import BlackHole.Animation.Status
 import BlackHole.Animation.Video
+import BlackHole.Cli.FilmScene (frameFaults, maximumFaults)
 import BlackHole.Cli.Read
 import qualified BlackHole.Render.Film as Light
 import BlackHole.Render.Shard
@@ -154,8 +155,8 @@ runFilm options say text develop film = do
     (_, Right shard) -> case (filmProblems film, selected shard, parseFrameName (animateOutput options)) of
       (problems@(_ : _), _, _) -> WrongFilm <$ mapM_ (say . renderProblem) problems
       (_, _, Left wanted) -> WrongArguments <$ say ("--output: '" ++ animateOutput options ++ "' is not " ++ wanted)
-      (_, frames, Right name) -> case (faults frames, video coder) of
-        (problems@(_ : _), _) -> WrongFilm <$ mapM_ say (take 20 problems)
+      (_, frames, Right name) -> case (frameFaults film frames, video coder) of
+        (problems@(_ : _), _) -> WrongFilm <$ mapM_ say (take maximumFaults problems)
         (_, Just []) -> NoCoder <$ say "--video: ffmpeg is not installed (on Debian and Ubuntu: apt-get install ffmpeg); nothing has been rendered"
         (_, coding) ->
           interruptible . withWorkers crew $
@@ -174,7 +175,6 @@ runFilm options say text develop film = do
     selected shard = takeShard shard (range (animateFrames options))
     range Nothing = [0 .. filmFrames film - 1]
     range (Just (from, to)) = [from .. maybe id min to (filmFrames film - 1)]
-    faults frames = [("frame " ++ show n ++ ": ") ++ renderProblem problem | n <- frames, Left problems <- [frameScenes film n], problem <- problems]
     video coder = do
       file <- animateVideo options
       kind <- videoKind file

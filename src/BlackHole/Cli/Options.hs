@@ -7,6 +7,7 @@ module BlackHole.Cli.Options
   )
 where
 
+import BlackHole.Cli.Animate (AnimateOptions, animateOptions)
 import BlackHole.Cli.Photon (PhotonOptions, photonOptions)
 import BlackHole.Cli.Rays (RaysOptions, raysOptions)
 import BlackHole.Cli.Read
@@ -21,6 +22,8 @@ import System.Exit (ExitCode (..))
 data Command
   = -- | Render one picture.
     Render RenderOptions
+  | -- | Render the frames of a film.
+    Animate (AnimateOptions SceneOptions)
   | -- | Do something with scenes that is not rendering.
     Scenes SceneCommand
   | -- | Report on one light path.
@@ -78,6 +81,12 @@ commandLine version =
               progDesc "Render one picture to a PNG file: of a scene file, if one is given, and with the options in the place of its settings."
                 <> footer "Example: blackhole render --width 1280 --inclination 75 --fov 40 -o hole.png"
           )
+          <> command
+            "animate"
+            ( info (Animate <$> animateOptions sceneOptions) $
+                progDesc "Render the frames of a scene file with a section animation: those that are missing, stale or damaged, beside any number of other processes."
+                  <> footer "Example: blackhole animate scenes/orbit.yaml -o frames/%05d.png --video orbit.mp4"
+            )
           <> command
             "scene"
             ( info (Scenes <$> sceneCommand) $

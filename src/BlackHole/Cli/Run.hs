@@ -8,12 +8,14 @@ module BlackHole.Cli.Run
   )
 where
 
+import BlackHole.Cli.Animate
 import BlackHole.Cli.Explain (explanationLines, pixelProblems)
+import BlackHole.Cli.FilmScene (loadFilm)
 import BlackHole.Cli.Options
 import BlackHole.Cli.Photon
 import BlackHole.Cli.Rays
 import BlackHole.Cli.SceneCommand (SceneCommand (..), sceneText)
-import BlackHole.Cli.SceneOptions (loadScene)
+import BlackHole.Cli.SceneOptions (SceneOptions, loadScene)
 import BlackHole.Cli.SelfTest (runSelfTest)
 import BlackHole.Image.AtomicFile
 import BlackHole.Image.Png (encodePicture)
@@ -21,11 +23,13 @@ import BlackHole.Render.Film
 import BlackHole.Render.PixelArray (backendName)
 import BlackHole.Render.Workers
 import BlackHole.Scene.Camera (Picture (..))
+import BlackHole.Scene.File.SceneFile (printScene)
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Validate
 import BlackHole.SelfTest.Check (Check, checkHolds)
 import BlackHole.Trace.Explain (explainPixel)
 import Control.Exception (SomeAsyncException (..), SomeException, displayException, fromException, throwIO, try)
+import Control.Monad (void)
 import Data.Char (toLower)
 import Data.Version (showVersion)
 import qualified Paths_blackhole as Package
@@ -46,6 +50,8 @@ data ExitStatus
     BadInput
   | -- | The result can't be written.
     CannotWrite
+  | -- | A film lacks frames, or its film file.
+    Unfinished
   deriving (Eq, Show, Enum, Bounded)
 
 -- | The table of exit codes.
@@ -56,6 +62,7 @@ exitCode status = case status of
   UsageError -> ExitFailure 2
   BadInput -> ExitFailure 3
   CannotWrite -> ExitFailure 4
+  Unfinished -> ExitFailure 5
 
 -- | Name, version, compiler and array back end.
 versionLine :: String
@@ -82,6 +89,7 @@ dispatch arguments = case parseArguments versionLine arguments of
   Inform text -> Done <$ putStrLn text
   Misused line -> complain UsageError (line ++ " (see: blackhole --help)")
   Run (Render options) -> render options
+  Run (Animate options) -> animate options
   Run (Scenes task) -> scenes task
   Run (Photon options) -> photon options
   Run (Rays options) -> rays options
@@ -158,6 +166,28 @@ render options
           case written of
             Left problem -> complain CannotWrite ("--output: " ++ renderWriteProblem problem)
             Right () -> pure Done
+
+-- | A film's frames, or what a folder of them lacks.
+animate :: AnimateOptions SceneOptions -> IO ExitStatus
+animate options = case animateStatus options of
+  Just folder -> endStatus <$> showStatus say (animatePatience options) folder
+  Nothing -> do
+    loaded <- loadFilm (animateScene options)
+    case loaded of
+      Left problems -> BadInput <$ mapM_ say problems
+      Right Nothing -> complain BadInput "a film needs a scene file with a section animation (see docs/animation.md)"
+      Right (Just film) -> endStatus <$> runFilm options say describe develop (adjustFilm options film)
+  where
+    say line = void (complain Done line)
+    describe = printScene [programName]
+    develop crew scene light =
+      encodePicture programName <$> developFilm crew (sceneExposure scene) (sceneToneMap scene) light
+    endStatus ending = case ending of
+      Complete -> Done
+      Incomplete -> Unfinished
+      WrongArguments -> UsageError
+      WrongFilm -> BadInput
+      NoCoder -> CannotWrite
 
 -- | Something about scenes, on standard output.
 scenes :: SceneCommand -> IO ExitStatus
