@@ -12,6 +12,7 @@ import qualified BlackHole.Animation.ProgressSpec
 import qualified BlackHole.Animation.QueueSpec
 import qualified BlackHole.Animation.VideoSpec
 import qualified BlackHole.Cli.ExplainSpec
+import qualified BlackHole.Cli.JoinSpec
 import qualified BlackHole.Cli.JsonSpec
 import qualified BlackHole.Cli.OptionsSpec
 import qualified BlackHole.Cli.PhotonSpec
@@ -81,6 +82,7 @@ main = hspec $ do
   describe "BlackHole.Animation.Queue" BlackHole.Animation.QueueSpec.spec
   describe "BlackHole.Animation.Video" BlackHole.Animation.VideoSpec.spec
   describe "BlackHole.Cli.Explain" BlackHole.Cli.ExplainSpec.spec
+  describe "BlackHole.Cli.Join" BlackHole.Cli.JoinSpec.spec
   describe "BlackHole.Cli.Json" BlackHole.Cli.JsonSpec.spec
   describe "BlackHole.Cli.Options" BlackHole.Cli.OptionsSpec.spec
   describe "BlackHole.Cli.Photon" BlackHole.Cli.PhotonSpec.spec

@@ -8,12 +8,14 @@ module BlackHole.Cli.Options
 where
 
 import BlackHole.Cli.Animate (AnimateOptions, animateOptions)
+import BlackHole.Cli.Join (JoinOptions, joinOptions, tilePart)
 import BlackHole.Cli.Photon (PhotonOptions, photonOptions)
 import BlackHole.Cli.Rays (RaysOptions, raysOptions)
 import BlackHole.Cli.Read
 import BlackHole.Cli.SceneCommand (SceneCommand, sceneCommand)
 import BlackHole.Cli.SceneOptions (SceneOptions, sceneOptions)
 import BlackHole.Cli.SelfTest (SelfTestOptions, selfTestOptions)
+import BlackHole.Render.Shard (Shard)
 import Options.Applicative
 import Options.Applicative.Help (renderHelp, unChunk)
 import System.Exit (ExitCode (..))
@@ -22,6 +24,8 @@ import System.Exit (ExitCode (..))
 data Command
   = -- | Render one picture.
     Render RenderOptions
+  | -- | Join the tiles of a picture.
+    Join JoinOptions
   | -- | Render the frames of a film.
     Animate (AnimateOptions SceneOptions)
   | -- | Do something with scenes that is not rendering.
@@ -40,6 +44,7 @@ data RenderOptions = RenderOptions
     renderScene :: !SceneOptions,
     renderThreads :: !(Maybe Int),
     renderPixel :: !(Maybe (Int, Int)),
+    renderTile :: !(Maybe Shard),
     renderOutput :: !FilePath
   }
   deriving (Eq, Show)
@@ -82,6 +87,12 @@ commandLine version =
                 <> footer "Example: blackhole render --width 1280 --inclination 75 --fov 40 -o hole.png"
           )
           <> command
+            "join"
+            ( info (Join <$> joinOptions) $
+                progDesc "Join the tiles of a picture: the file is the one that render would have made without --tile."
+                  <> footer "Example: blackhole join big-*.tile -o big.png"
+            )
+          <> command
             "animate"
             ( info (Animate <$> animateOptions sceneOptions) $
                 progDesc "Render the frames of a scene file with a section animation: those that are missing, stale or damaged, beside any number of other processes."
@@ -119,4 +130,5 @@ renderOptions =
     <$> sceneOptions
     <*> setting (option wholeNumber (long "threads" <> metavar "N" <> help "Workers (default: one per core); the picture is the same for any number"))
     <*> setting (option pixelPlace (long "pixel" <> metavar "X,Y" <> help "Explain the colour of one pixel instead of rendering; 0,0 is the top left"))
+    <*> setting (option tilePart (long "tile" <> metavar "I/N" <> help "Render a band of the picture, part I of N, into a tile file (-o FILE.tile) for blackhole join"))
     <*> settingOr "blackhole.png" (strOption (long "output" <> short 'o' <> metavar "FILE" <> help "PNG file to write (default: blackhole.png)"))

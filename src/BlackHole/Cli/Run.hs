@@ -11,6 +11,7 @@ where
 import BlackHole.Cli.Animate
 import BlackHole.Cli.Explain (explanationLines, pixelProblems)
 import BlackHole.Cli.FilmScene (loadFilm)
+import BlackHole.Cli.Join
 import BlackHole.Cli.Options
 import BlackHole.Cli.Photon
 import BlackHole.Cli.Rays
@@ -19,8 +20,10 @@ import BlackHole.Cli.SceneOptions (SceneOptions, loadScene)
 import BlackHole.Cli.SelfTest (runSelfTest)
 import BlackHole.Image.AtomicFile
 import BlackHole.Image.Png (encodePicture)
+import BlackHole.Image.TileFile
 import BlackHole.Render.Film
 import BlackHole.Render.PixelArray (backendName)
+import BlackHole.Render.Shard (Shard (..), renderShard, shardRows)
 import BlackHole.Render.Workers
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.File.SceneFile (printScene)
@@ -30,6 +33,7 @@ import BlackHole.SelfTest.Check (Check, checkHolds)
 import BlackHole.Trace.Explain (explainPixel)
 import Control.Exception (SomeAsyncException (..), SomeException, displayException, fromException, throwIO, try)
 import Control.Monad (void)
+import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (toLower)
 import Data.Version (showVersion)
 import qualified Paths_blackhole as Package
@@ -89,6 +93,7 @@ dispatch arguments = case parseArguments versionLine arguments of
   Inform text -> Done <$ putStrLn text
   Misused line -> complain UsageError (line ++ " (see: blackhole --help)")
   Run (Render options) -> render options
+  Run (Join options) -> join options
   Run (Animate options) -> animate options
   Run (Scenes task) -> scenes task
   Run (Photon options) -> photon options
@@ -133,6 +138,7 @@ render options
       Right scene | Just pixel <- renderPixel options -> case pixelProblem scene of
         [] -> explain scene pixel
         problems -> complainAll BadInput problems
+      Right scene | problems@(_ : _) <- tileProblems scene -> complainAll UsageError problems
       Right scene -> do
         crew <- maybe defaultWorkers pure (workers =<< renderThreads options)
         writable <- checkWritable output
@@ -143,29 +149,63 @@ render options
     pixelProblem scene = foldMap (pixelProblems (scenePicture scene)) (renderPixel options)
     output = renderOutput options
     usageProblems =
-      [ Problem "--output" ("'" ++ output ++ "'") "a file name that ends in .png"
-        | map toLower (takeExtension output) /= ".png"
+      [ Problem "--output" ("'" ++ output ++ "'") ("a file name that ends in " ++ extension)
+        | map toLower (takeExtension output) /= extension
       ]
         ++ [ Problem "--threads" (show n) ("a whole number from 1 to " ++ show maximumWorkers)
              | Just n <- [renderThreads options],
                Nothing <- [workers n]
            ]
+    tileProblems scene =
+      [ Problem "--tile" (renderShard part) ("a part of a picture of " ++ show height ++ " rows")
+        | let height = pictureHeight (scenePicture scene),
+          Just part <- [renderTile options],
+          shardCount part > height
+      ]
+    extension = maybe ".png" (const tileExtension) (renderTile options)
     renderTo crew scene = do
       interactive <- hIsTerminalDevice stderr
-      let rows = pictureHeight (scenePicture scene)
-      exposed <- exposeFilm crew (if interactive then tellProgress rows else const (pure ())) scene
+      let (first, rows) = maybe (0, pictureHeight (scenePicture scene)) (`shardRows` pictureHeight (scenePicture scene)) (renderTile options)
+      exposed <- exposeRows crew (if interactive then tellProgress rows else const (pure ())) scene (first, rows)
       case exposed of
         Nothing -> complain InternalFault "the scene passed its checks but can't be traced"
         Just film -> do
           case faultyPixels film of
             (n, Just (x, y)) ->
-              hPutStrLn stderr ("blackhole: warning: " ++ show n ++ " pixels have no finite radiance, the first at " ++ show x ++ "," ++ show y)
+              hPutStrLn stderr ("blackhole: warning: " ++ show n ++ " pixels have no finite radiance, the first at " ++ show x ++ "," ++ show (first + y))
             _ -> pure ()
-          picture <- developFilm crew (sceneExposure scene) (sceneToneMap scene) film
-          written <- writeFileAtomically output (encodePicture programName picture)
-          case written of
-            Left problem -> complain CannotWrite ("--output: " ++ renderWriteProblem problem)
-            Right () -> pure Done
+          file <- case renderTile options of
+            Nothing -> Just <$> pictureFile crew scene film
+            Just part -> pure (encodeTile (tileHeader programName part scene) film)
+          case file of
+            Nothing -> complain InternalFault "the tile's rows are not those of the scene"
+            Just bytes -> store output bytes
+
+-- | The file of a whole film of light.
+pictureFile :: Workers -> Scene -> Film -> IO Lazy.ByteString
+pictureFile crew scene light =
+  encodePicture programName <$> developFilm crew (sceneExposure scene) (sceneToneMap scene) light
+
+-- | Write the file that @--output@ names.
+store :: FilePath -> Lazy.ByteString -> IO ExitStatus
+store output bytes = do
+  written <- writeFileAtomically output bytes
+  case written of
+    Left problem -> complain CannotWrite ("--output: " ++ renderWriteProblem problem)
+    Right () -> pure Done
+
+-- | The picture that tiles make together.
+join :: JoinOptions -> IO ExitStatus
+join options = do
+  joined <- openTiles (joinTiles options)
+  case joined of
+    Left problems -> BadInput <$ mapM_ (complain BadInput) problems
+    Right (scene, tiles) -> do
+      crew <- maybe defaultWorkers pure (workers =<< joinThreads options)
+      light <- readPictureRows tiles (0, pictureHeight (scenePicture scene))
+      case light of
+        Nothing -> complain BadInput "a tile has changed while it was read"
+        Just film -> withWorkers crew (pictureFile crew scene film >>= store (joinOutput options))
 
 -- | A film's frames, or what a folder of them lacks.
 animate :: AnimateOptions SceneOptions -> IO ExitStatus
@@ -176,12 +216,9 @@ animate options = case animateStatus options of
     case loaded of
       Left problems -> BadInput <$ mapM_ say problems
       Right Nothing -> complain BadInput "a film needs a scene file with a section animation (see docs/animation.md)"
-      Right (Just film) -> endStatus <$> runFilm options say describe develop (adjustFilm options film)
+      Right (Just film) -> endStatus <$> runFilm options say (printScene [programName]) pictureFile (adjustFilm options film)
   where
     say line = void (complain Done line)
-    describe = printScene [programName]
-    develop crew scene light =
-      encodePicture programName <$> developFilm crew (sceneExposure scene) (sceneToneMap scene) light
     endStatus ending = case ending of
       Complete -> Done
       Incomplete -> Unfinished

@@ -15,6 +15,7 @@ module BlackHole.Image.TileFile
     openTile,
     tileIntact,
     readTileRows,
+    readPictureRows,
     joinFaults,
   )
 where
@@ -30,7 +31,8 @@ import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Char8 as Char8
 import qualified Data.ByteString.Lazy as Lazy
 import Data.ByteString.Unsafe (unsafeIndex)
-import Data.List (intercalate, sort)
+import Data.List (intercalate, sort, sortOn)
+import Data.Maybe (listToMaybe)
 import qualified Data.Vector.Storable as Vector
 import Data.Word (Word32)
 import GHC.Float (castWord32ToFloat)
@@ -152,6 +154,25 @@ readTileRows tile (first, rows)
     floatAt bytes i = castWord32ToFloat (at 0 .|. at 1 `shiftL` 8 .|. at 2 `shiftL` 16 .|. at 3 `shiftL` 24)
       where
         at k = fromIntegral (unsafeIndex bytes (4 * i + k)) :: Word32
+
+-- | Some rows of the whole picture, from which and how many, out of the tiles
+-- that hold them, which must be without faults ('joinFaults'). 'Nothing' if the
+-- picture has no such rows, or a file has become shorter.
+readPictureRows :: [TileFile] -> (Int, Int) -> IO (Maybe Film)
+readPictureRows tiles (first, rows) = do
+  parts <- sequence <$> mapM part (sortOn (fst . tileRows . tileFileHeader) overlapping)
+  pure $ do
+    films <- parts
+    width <- listToMaybe [fst (tilePicture (tileFileHeader tile)) | tile <- tiles]
+    shape <- pixelShape width rows 3
+    fromPixelVector shape (Vector.concat (map toPixelVector films))
+  where
+    overlapping = filter (\tile -> let (from, count) = span' tile in count > 0 && from + count > first && from < first + rows) tiles
+    span' = tileRows . tileFileHeader
+    part tile =
+      let (from, count) = span' tile
+          start = max 0 (first - from)
+       in readTileRows tile (start, min count (first + rows - from) - start)
 
 -- | Everything for which tiles cannot be joined: none of them, tiles of another
 -- picture than the first one's, parts that are there twice, parts that are not.

@@ -28,6 +28,17 @@ spec = do
         part <- readTileRows tile (1, 2)
         fmap toPixelVector part `shouldBe` Just (Vector.slice 15 30 light)
         mapM (fmap (fmap toPixelVector) . readTileRows tile) [(3, 2), (-1, 1), (0, 0)] `shouldReturn` [Nothing, Nothing, Nothing]
+  it "gives rows of the picture out of the tiles that hold them" . inFolder $ \folder -> do
+    tiles <- mapM (\i -> writeTileAt i (folder </> show i) >> openTile (folder </> show i)) [3, 1, 2]
+    case sequence tiles of
+      Left reason -> expectationFailure reason
+      Right found -> do
+        let rowsOf i = Vector.map (+ fromIntegral i) plainLight
+            picture = Vector.concat (map rowsOf [1 :: Int, 2, 3])
+            rows range = fmap toPixelVector <$> readPictureRows found range
+        rows (0, 12) `shouldReturn` Just picture
+        mapM rows [(0, 1), (3, 2), (2, 9), (11, 1)] `shouldReturn` [Just (Vector.slice (15 * from) (15 * count) picture) | (from, count) <- [(0, 1), (3, 2), (2, 9), (11, 1)]]
+        mapM rows [(-1, 2), (11, 2), (12, 1), (4, 0)] `shouldReturn` [Nothing, Nothing, Nothing, Nothing]
   it "notices a changed byte wherever it is, a missing end, and what is no tile" . inFolder $ \folder -> do
     let file = folder </> "2.tile"
     writeTile file header
@@ -60,4 +71,10 @@ spec = do
     pixelArrayOf width height = do
       shape <- pixelShape width height 3
       fromPixelVector shape (Vector.take (3 * width * height) light)
+    plainLight = Vector.fromList (map (* 0.37) (take 60 [1 ..]))
+    writeTileAt i file =
+      maybe (expectationFailure "no tile") (Lazy.writeFile file) $ do
+        shape <- pixelShape 5 4 3
+        film <- fromPixelVector shape (Vector.map (+ fromIntegral i) plainLight)
+        encodeTile header {tileShard = Shard i 3} film
     writeTile file h = maybe (expectationFailure "no tile") (Lazy.writeFile file) (pixelArrayOf 5 4 >>= encodeTile h)
