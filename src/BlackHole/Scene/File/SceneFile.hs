@@ -75,6 +75,10 @@ type Found = ([(Int, String, Value)], [(Int, Problem)])
 -- | What stands below a path, the path's last part first.
 level :: [String] -> [String] -> Node -> Found
 level foreign' above node = case node of
+  -- Looking for repeated keys is quadratic in their number.
+  Mapping line members
+    | length (take 501 members) > 500 ->
+      wrong line (Problem (pathOr "scene" above) "a group of more than 500 keys" "possible in a scene file")
   Mapping _ members -> foldMap (member members) (zip [0 :: Int ..] members)
   _ -> ([], [(nodeLine node, Problem (pathOr "scene" above) (nodeText node) ("a group of settings; there are: " ++ intercalate ", " children))])
   where
