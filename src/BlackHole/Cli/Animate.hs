@@ -27,7 +27,7 @@ import BlackHole.Render.Workers
 import BlackHole.Scene.Scene (Scene)
 import BlackHole.Scene.Validate
 import Control.Concurrent (myThreadId, throwTo)
-import Control.Exception (AsyncException (UserInterrupt), bracket)
+import Control.Exception (AsyncException (UserInterrupt), IOException, bracket, try)
 import Control.Monad (unless, when)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (isDigit)
@@ -111,7 +111,9 @@ adjustFilm options film =
     { filmRate = rate,
       filmFrames = case (animateDuration options, animateRate options) of
         (Nothing, Nothing) -> filmFrames film
-        _ -> round (max 0 (min 1e9 (duration * rate))),
+        -- A rate that makes no sense is complained of by itself.
+        _ | rate > 0 -> round (max 0 (min 1e9 (duration * rate)))
+        _ -> filmFrames film,
       filmShutter =
         Shutter
           (fromMaybe (shutterOpen shutter) (animateShutter options))
@@ -132,8 +134,8 @@ data Ending
     WrongArguments
   | -- | The film is wrong.
     WrongFilm
-  | -- | The film file cannot be made here.
-    NoCoder
+  | -- | The frames or the film file cannot be written here.
+    CannotStart
   deriving (Eq, Show)
 
 -- | Make the film's frames. The second argument says a line to the user; the
@@ -157,7 +159,7 @@ runFilm options say text develop film = do
       (_, _, Left wanted) -> WrongArguments <$ say ("--output: '" ++ animateOutput options ++ "' is not " ++ wanted)
       (_, frames, Right name) -> case (frameFaults film frames, video coder) of
         (problems@(_ : _), _) -> WrongFilm <$ mapM_ say (take maximumFaults problems)
-        (_, Just []) -> NoCoder <$ say "--video: ffmpeg is not installed (on Debian and Ubuntu: apt-get install ffmpeg); nothing has been rendered"
+        (_, Just []) -> CannotStart <$ say "--video: ffmpeg is not installed (on Debian and Ubuntu: apt-get install ffmpeg); nothing has been rendered"
         (_, coding) ->
           interruptible . withWorkers crew $
             run (Shooting film frames name (animatePatience options) crew (listToMaybe (fold coding)) text (develop crew))
@@ -181,9 +183,11 @@ runFilm options say text develop film = do
       pure [(program, kind, file) | Just program <- [coder]]
     run shooting = do
       teller <- newTeller say
-      shot <- shoot shooting teller
+      shot <- try (shoot shooting teller)
       clearLine
-      report shot
+      case shot of
+        Left refusal -> CannotStart <$ say ("--output: the frames cannot be written: " ++ show (refusal :: IOException))
+        Right done -> report done
     report shot = do
       say (summary (shotTally shot))
       let elsewhere = [(n, holder) | (n, Elsewhere holder) <- shotOutcomes shot]

@@ -224,7 +224,7 @@ animate options = case animateStatus options of
       Incomplete -> Unfinished
       WrongArguments -> UsageError
       WrongFilm -> BadInput
-      NoCoder -> CannotWrite
+      CannotStart -> CannotWrite
 
 -- | Something about scenes, on standard output.
 scenes :: SceneCommand -> IO ExitStatus
