@@ -4,6 +4,7 @@ module Main (main) where
 import qualified BlackHole.Animation.CameraPathSpec
 import qualified BlackHole.Animation.ClaimSpec
 import qualified BlackHole.Animation.DigestSpec
+import qualified BlackHole.Animation.ExposureSpec
 import qualified BlackHole.Animation.FilmFileSpec
 import qualified BlackHole.Animation.FilmSpec
 import qualified BlackHole.Animation.FrameNameSpec
@@ -11,6 +12,7 @@ import qualified BlackHole.Animation.InterpolateSpec
 import qualified BlackHole.Animation.ProgressSpec
 import qualified BlackHole.Animation.QueueSpec
 import qualified BlackHole.Animation.VideoSpec
+import qualified BlackHole.Cli.AnimateSpec
 import qualified BlackHole.Cli.ExplainSpec
 import qualified BlackHole.Cli.JoinSpec
 import qualified BlackHole.Cli.JsonSpec
@@ -74,6 +76,7 @@ main = hspec $ do
   describe "BlackHole.Animation.CameraPath" BlackHole.Animation.CameraPathSpec.spec
   describe "BlackHole.Animation.Claim" BlackHole.Animation.ClaimSpec.spec
   describe "BlackHole.Animation.Digest" BlackHole.Animation.DigestSpec.spec
+  describe "BlackHole.Animation.Exposure" BlackHole.Animation.ExposureSpec.spec
   describe "BlackHole.Animation.FilmFile" BlackHole.Animation.FilmFileSpec.spec
   describe "BlackHole.Animation.Film" BlackHole.Animation.FilmSpec.spec
   describe "BlackHole.Animation.FrameName" BlackHole.Animation.FrameNameSpec.spec
@@ -81,6 +84,7 @@ main = hspec $ do
   describe "BlackHole.Animation.Progress" BlackHole.Animation.ProgressSpec.spec
   describe "BlackHole.Animation.Queue" BlackHole.Animation.QueueSpec.spec
   describe "BlackHole.Animation.Video" BlackHole.Animation.VideoSpec.spec
+  describe "BlackHole.Cli.Animate" BlackHole.Cli.AnimateSpec.spec
   describe "BlackHole.Cli.Explain" BlackHole.Cli.ExplainSpec.spec
   describe "BlackHole.Cli.Join" BlackHole.Cli.JoinSpec.spec
   describe "BlackHole.Cli.Json" BlackHole.Cli.JsonSpec.spec

@@ -120,7 +120,7 @@ readSection section = (film, faults)
     faults = formFaults ++ lengthFaults ++ pathFaults ++ trackFaults ++ clashes
     lengthFaults = case (value "frames", value "duration") of
       (Just _, Just (line, _)) -> [(line, Problem (within "duration") "together with frames" "possible; give one of them")]
-      (Nothing, Nothing) -> [(nodeLine section, Problem animationKey "without frames and duration" "complete; give one of them")]
+      (Nothing, Nothing) | null formFaults -> [(nodeLine section, Problem animationKey "without frames and duration" "complete; give one of them")]
       _ -> []
     clashes =
       [ (nodeLine section, Problem (within ("keyframes." ++ trackField track)) ("together with the camera path " ++ cameraPathName p) "possible, for the path alone says where the camera is")
