@@ -56,7 +56,7 @@ photonOptions =
     <*> setting (option number (long "inclination" <> metavar "DEGREES" <> help "Observer's angle from the disk's axis (with --impact 0 by default)"))
     <*> setting (option number (long "psi" <> metavar "DEGREES" <> help "With --distance: angle of the line of sight from the hole's centre"))
     <*> setting (option number (long "eta" <> metavar "DEGREES" <> help "Position angle about the hole's centre, from right towards up (with --impact 0 by default)"))
-    <*> settingOr Exact (option (named "an integrator" [(integratorName i, i) | i <- [minBound ..]]) (long "integrator" <> metavar "NAME" <> help "exact, or leapfrog with its errors beside the exact values"))
+    <*> settingOr Exact (option (named "an integrator" [(integratorName i, i) | i <- [Exact, Leapfrogging]]) (long "integrator" <> metavar "NAME" <> help "exact, or leapfrog with its errors beside the exact values"))
     <*> setting (option number (long "step" <> metavar "L" <> help "The leapfrog's base length in Schwarzschild radii (default: 0.1)"))
     <*> toggle (long "json" <> help "Print JSON instead of a table")
     <*> setting (strOption (long "path" <> metavar "FILE.csv" <> help "Also write the path: swept angle, r, x, y, z"))
@@ -108,8 +108,8 @@ resolvePhoton options = case (startProblems ++ stepProblems ++ pathProblems, cou
           checkNumber "--step" (\v -> v >= 1e-5 && v <= 10) "a length from 0.00001 to 10 (Schwarzschild radii)" l
         )
       (Leapfrogging, Nothing) -> (Just reportStepRule, [])
-      (Exact, Just l) -> (Nothing, [Problem "--step" (showDouble l) "of use to the exact integrator; add --integrator leapfrog"])
-      (Exact, Nothing) -> (Nothing, [])
+      (_, Just l) -> (Nothing, [Problem "--step" (showDouble l) "of use to the exact integrator; add --integrator leapfrog"])
+      (_, Nothing) -> (Nothing, [])
     -- The thickness of the disk in the report's rule.
     reportWidth = case reportStepRule of
       ReportSteps _ w -> w

@@ -43,13 +43,18 @@ module BlackHole.Noise.Lattice
     onGrid2,
     Cell2 (..),
     cellAround2,
-    GridPlace3,
+    GridPlace3 (..),
     onGrid3,
     Cell3 (..),
     cellAround3,
+    Along (..),
+    alongCells,
+    lastIndex,
+    middleIndex,
   )
 where
 
+import BlackHole.Numeric.Floor
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ (..))
 import Data.Bits (unsafeShiftL, unsafeShiftR, (.&.))
@@ -254,16 +259,29 @@ data Along = Along {-# UNPACK #-} !Word64 {-# UNPACK #-} !Double
 -- not to the 'Double', for the same reason. Only at level 0, where it is half
 -- a cell, has it to be added before.
 along :: Level -> Double -> Along
-along l x
-  | rest < 0 = Along (middle + fromIntegral (towardsZero - 1)) (rest + 1)
-  | otherwise = Along (middle + fromIntegral towardsZero) rest
+along l x = Along (middleIndex l + i) rest
   where
-    scaled = x * cellsPerUnit l + (if levelNumber l == 0 then 0.5 else 0)
+    Along i rest = alongCells (x * cellsPerUnit l + (if levelNumber l == 0 then 0.5 else 0))
+{-# INLINE along #-}
+
+-- | The cell and the fraction of a coordinate that counts cells from the
+-- origin of space; below it the index is negative, modulo 2^64.
+alongCells :: Double -> Along
+alongCells scaled
+  | abs scaled < 2251799813685248 = case floorOf scaled of
+    Floor i fraction -> Along (fromIntegral i) fraction
+  | rest < 0 = Along (fromIntegral (towardsZero - 1)) (rest + 1)
+  | otherwise = Along (fromIntegral towardsZero) rest
+  where
     towardsZero = truncate scaled :: Int
     rest = scaled - fromIntegral towardsZero
-    -- Half the number of cells; 0 at level 0.
-    middle = lastIndex l - lastIndex l `unsafeShiftR` 1
-{-# INLINE along #-}
+{-# INLINE alongCells #-}
+
+-- | The index along an axis of the cell that begins at the origin of space:
+-- half the number of cells; 0 at level 0.
+middleIndex :: Level -> Word64
+middleIndex l = lastIndex l - lastIndex l `unsafeShiftR` 1
+{-# INLINE middleIndex #-}
 
 -- | An index modulo 2^level.
 around :: Level -> Word64 -> Word64

@@ -44,6 +44,10 @@ module BlackHole.Noise.PerlinG
     cornerHashes3,
     interpolate2,
     interpolate3,
+    interpolateGradients2,
+    interpolateGradients3,
+    gradientNumber2,
+    gradientNumber3,
   )
 where
 
@@ -248,43 +252,74 @@ cornerHashes3 hash (Cell3 p _ _ _) = do
 
 -- | The noise in a cell of the plane whose corners have these hashes.
 interpolate2 :: Cell2 -> Corners2 -> Double
-interpolate2 (Cell2 _ x y) (Corners2 h00 h10 h01 h11) =
+interpolate2 (Cell2 _ x y) (Corners2 h00 h10 h01 h11) = interpolateGradients2 x y at
+  where
+    at 0 0 = gradientNumber2 h00
+    at 1 0 = gradientNumber2 h10
+    at 0 1 = gradientNumber2 h01
+    at _ _ = gradientNumber2 h11
+    {-# INLINE at #-}
+{-# INLINE interpolate2 #-}
+
+-- | The noise at a place of a cell of the plane (each fraction 0 … 1), from the
+-- number of the gradient ('gradientNumber2') at each corner, which is asked for
+-- by the corner's offsets along x and y, each 0 or 1.
+interpolateGradients2 :: Double -> Double -> (Int -> Int -> Int) -> Double
+interpolateGradients2 x y gradientAt =
   -- The largest value before scaling is 0.695353, found by maximising over the
   -- cell the weighted sum of the corners' largest contributions.
   1.4381
     * mix
       (fade y)
-      (mix u (ramp h00 x y) (ramp h10 (x - 1) y))
-      (mix u (ramp h01 x (y - 1)) (ramp h11 (x - 1) (y - 1)))
+      (mix u (ramp 0 0 x y) (ramp 1 0 (x - 1) y))
+      (mix u (ramp 0 1 x (y - 1)) (ramp 1 1 (x - 1) (y - 1)))
   where
     u = fade x
-    ramp h a b = XY.dot (gradient2 h) (XY a b)
+    ramp i j a b = XY.dot (numberedGradient2 (gradientAt i j)) (XY a b)
     {-# INLINE ramp #-}
-{-# INLINE interpolate2 #-}
+{-# INLINE interpolateGradients2 #-}
 
 -- | The noise in a cell of space whose corners have these hashes.
 interpolate3 :: Cell3 -> Corners3 -> Double
 interpolate3 (Cell3 _ x y z) (Corners3 h000 h100 h010 h110 h001 h101 h011 h111) =
+  interpolateGradients3 x y z at
+  where
+    at 0 0 0 = gradientNumber3 h000
+    at 1 0 0 = gradientNumber3 h100
+    at 0 1 0 = gradientNumber3 h010
+    at 1 1 0 = gradientNumber3 h110
+    at 0 0 1 = gradientNumber3 h001
+    at 1 0 1 = gradientNumber3 h101
+    at 0 1 1 = gradientNumber3 h011
+    at _ _ _ = gradientNumber3 h111
+    {-# INLINE at #-}
+{-# INLINE interpolate3 #-}
+
+-- | The noise at a place of a cell of space (each fraction 0 … 1), from the
+-- number of the gradient ('gradientNumber3') at each corner, which is asked for
+-- by the corner's offsets along x, y and z, each 0 or 1.
+interpolateGradients3 :: Double -> Double -> Double -> (Int -> Int -> Int -> Int) -> Double
+interpolateGradients3 x y z gradientAt =
   -- The largest value before scaling is 0.792021, found as in the plane.
   1.2625
     * mix
       (fade z)
       ( mix
           v
-          (mix u (ramp h000 x y z) (ramp h100 (x - 1) y z))
-          (mix u (ramp h010 x (y - 1) z) (ramp h110 (x - 1) (y - 1) z))
+          (mix u (ramp 0 0 0 x y z) (ramp 1 0 0 (x - 1) y z))
+          (mix u (ramp 0 1 0 x (y - 1) z) (ramp 1 1 0 (x - 1) (y - 1) z))
       )
       ( mix
           v
-          (mix u (ramp h001 x y (z - 1)) (ramp h101 (x - 1) y (z - 1)))
-          (mix u (ramp h011 x (y - 1) (z - 1)) (ramp h111 (x - 1) (y - 1) (z - 1)))
+          (mix u (ramp 0 0 1 x y (z - 1)) (ramp 1 0 1 (x - 1) y (z - 1)))
+          (mix u (ramp 0 1 1 x (y - 1) (z - 1)) (ramp 1 1 1 (x - 1) (y - 1) (z - 1)))
       )
   where
     u = fade x
     v = fade y
-    ramp h a b c = XYZ.dot (gradient3 h) (XYZ a b c)
+    ramp i j k a b c = XYZ.dot (numberedGradient3 (gradientAt i j k)) (XYZ a b c)
     {-# INLINE ramp #-}
-{-# INLINE interpolate3 #-}
+{-# INLINE interpolateGradients3 #-}
 
 -- | The weight of the far end of an edge: rises from 0 at 0 to 1 at 1, and its
 -- first two derivatives vanish at both (Perlin 2002).
@@ -301,10 +336,18 @@ mix t a b = a + t * (b - a)
 -- is at a right angle to any of them, so no edge stays flat, and all moments
 -- up to order 15 are those of a direction drawn from the whole circle.
 gradient2 :: Word64 -> XY
-gradient2 h = XY (indexPrimArray gradients2 i) (indexPrimArray gradients2 (i + 1))
-  where
-    i = 2 * fromIntegral (h `unsafeShiftR` 60)
+gradient2 h = numberedGradient2 (gradientNumber2 h)
 {-# INLINE gradient2 #-}
+
+-- | The number of a hash's gradient in the plane, 0 … 15.
+gradientNumber2 :: Word64 -> Int
+gradientNumber2 h = fromIntegral (h `unsafeShiftR` 60)
+{-# INLINE gradientNumber2 #-}
+
+-- | The gradient of a number that the caller knows to be within 0 … 15.
+numberedGradient2 :: Int -> XY
+numberedGradient2 n = XY (indexPrimArray gradientsX2 n) (indexPrimArray gradientsY2 n)
+{-# INLINE numberedGradient2 #-}
 
 -- | The gradient that a hash stands for in space: one of the 48 unit vectors
 -- whose components are ±0.2666…, ±0.4225…, ±0.8662… in any order, equally
@@ -313,26 +356,36 @@ gradient2 h = XY (indexPrimArray gradients2 i) (indexPrimArray gradients2 (i + 1
 -- direction drawn from the whole sphere: no axis is favoured. No component is
 -- 0, so no edge of the lattice stays flat.
 gradient3 :: Word64 -> XYZ
-gradient3 h =
-  XYZ
-    (indexPrimArray gradients3 i)
-    (indexPrimArray gradients3 (i + 1))
-    (indexPrimArray gradients3 (i + 2))
-  where
-    -- The upper half of the hash as a fraction of 2^32, times 48.
-    i = 3 * fromIntegral (((h `unsafeShiftR` 32) * 48) `unsafeShiftR` 32)
+gradient3 h = numberedGradient3 (gradientNumber3 h)
 {-# INLINE gradient3 #-}
 
--- | Components of the gradients of the plane, two by two.
-gradients2 :: PrimArray Double
+-- | The number of a hash's gradient in space, 0 … 47: the upper half of the
+-- hash as a fraction of 2^32, times 48.
+gradientNumber3 :: Word64 -> Int
+gradientNumber3 h = fromIntegral (((h `unsafeShiftR` 32) * 48) `unsafeShiftR` 32)
+{-# INLINE gradientNumber3 #-}
+
+-- | The gradient of a number that the caller knows to be within 0 … 47.
+numberedGradient3 :: Int -> XYZ
+numberedGradient3 n =
+  XYZ (indexPrimArray gradientsX3 n) (indexPrimArray gradientsY3 n) (indexPrimArray gradientsZ3 n)
+{-# INLINE numberedGradient3 #-}
+
+-- | The gradients of the plane, component by component: with one array for
+-- each, the number is the index into both.
+gradientsX2, gradientsY2 :: PrimArray Double
+gradientsX2 = primArrayFromList [x | XY x _ <- gradients2]
+gradientsY2 = primArrayFromList [y | XY _ y <- gradients2]
+{-# NOINLINE gradientsX2 #-}
+{-# NOINLINE gradientsY2 #-}
+
+gradients2 :: [XY]
 gradients2 =
-  primArrayFromList
-    [ component
-      | (a, b) <- [(cos11, sin11), (cos34, sin34), (sin34, cos34), (sin11, cos11)],
-        x <- [a, negate a],
-        y <- [b, negate b],
-        component <- [x, y]
-    ]
+  [ XY x y
+    | (a, b) <- [(cos11, sin11), (cos34, sin34), (sin34, cos34), (sin11, cos11)],
+      x <- [a, negate a],
+      y <- [b, negate b]
+  ]
   where
     -- Sines and cosines of 11.25° and 33.75°, as literals: the system's
     -- trigonometry may differ in the last bit between machines.
@@ -340,28 +393,32 @@ gradients2 =
     sin11 = 0.19509032201612828
     cos34 = 0.8314696123025452
     sin34 = 0.5555702330196022
-{-# NOINLINE gradients2 #-}
 
--- | Components of the gradients of space, three by three.
-gradients3 :: PrimArray Double
+-- | The gradients of space, likewise.
+gradientsX3, gradientsY3, gradientsZ3 :: PrimArray Double
+gradientsX3 = primArrayFromList [x | XYZ x _ _ <- gradients3]
+gradientsY3 = primArrayFromList [y | XYZ _ y _ <- gradients3]
+gradientsZ3 = primArrayFromList [z | XYZ _ _ z <- gradients3]
+{-# NOINLINE gradientsX3 #-}
+{-# NOINLINE gradientsY3 #-}
+{-# NOINLINE gradientsZ3 #-}
+
+gradients3 :: [XYZ]
 gradients3 =
-  primArrayFromList
-    [ component
-      | (a, b, c) <-
-          [ (short, middle, long),
-            (short, long, middle),
-            (middle, short, long),
-            (middle, long, short),
-            (long, short, middle),
-            (long, middle, short)
-          ],
-        x <- [a, negate a],
-        y <- [b, negate b],
-        z <- [c, negate c],
-        component <- [x, y, z]
-    ]
+  [ XYZ x y z
+    | (a, b, c) <-
+        [ (short, middle, long),
+          (short, long, middle),
+          (middle, short, long),
+          (middle, long, short),
+          (long, short, middle),
+          (long, middle, short)
+        ],
+      x <- [a, negate a],
+      y <- [b, negate b],
+      z <- [c, negate c]
+  ]
   where
     short = 0.26663540151670473
     middle = 0.42251865376111153
     long = 0.8662468181078206
-{-# NOINLINE gradients3 #-}

@@ -1,97 +1,126 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | Noise whose lattice hashes are remembered for a box of space.
+-- | Noise in space whose gradients are remembered for a box.
 --
 -- A picture asks for the same few lattice points again and again, and SipHash
--- is most of the cost of noise. The table holds the hashes of all points of the
--- levels that fit into a budget; elsewhere the hash is computed as ever. The
--- values are the same to the last bit either way.
+-- is most of the cost of noise. The table holds the number of the gradient, one
+-- byte, of every point of the levels that fit into a budget; elsewhere the point
+-- is hashed as ever. The values are the same to the last bit either way.
 module BlackHole.Noise.Remembered
   ( Remembered,
     remember,
     rememberedPoints,
+    rememberedAmplitudes,
     rememberedPerlin3,
   )
 where
 
 import BlackHole.Noise.Lattice
-import BlackHole.Noise.PerlinG (Seed, latticeHash3, perlin3With)
+import BlackHole.Noise.PerlinG
 import BlackHole.Noise.Profile (Profile, layers)
+import BlackHole.Numeric.Floor
 import BlackHole.Vector.XYZ (XYZ (..))
-import Data.Functor.Identity (Identity (..))
-import qualified Data.Vector.Unboxed as Unboxed
-import Data.Word (Word64)
+import Control.Monad (guard)
+import Data.Bits ((.&.))
+import Data.Primitive.PrimArray
+import Data.Word (Word64, Word8)
 
 -- | Noise of a seed and a profile, with a table.
 data Remembered = Remembered
   { rememberedSeed :: !Seed,
-    rememberedProfile :: !Profile,
-    -- | Seven numbers for each of the levels 0…64: first index along x, y, z,
-    -- counts along x, y, z, and the place of the level's first hash in the
-    -- table.
-    rememberedBoxes :: !(Unboxed.Vector Word64),
-    rememberedHashes :: !(Unboxed.Vector Word64)
+    -- | For each level of the profile whose amplitude is not 0 that amplitude
+    -- and the cells per unit of space.
+    rememberedReals :: !(PrimArray Double),
+    -- | For each of them 'boxFields' numbers ('boxNumbers').
+    rememberedBoxes :: !(PrimArray Word64),
+    rememberedGradients :: !(PrimArray Word8)
   }
 
 -- | @remember budget seed profile low high@: remember the box between two
 -- corners, for as many of the profile's levels, coarse to fine, as need no more
--- than the budget of points together. Each takes 8 bytes and some 40 ns once.
+-- than the budget of points together. Each takes one byte and some 35 ns once.
 -- A box that reaches beyond the torus is remembered all around it.
 remember :: Int -> Seed -> Profile -> XYZ -> XYZ -> Remembered
 remember budget seed profile low high =
   Remembered
     { rememberedSeed = seed,
-      rememberedProfile = profile,
-      rememberedBoxes = Unboxed.fromList (concatMap boxNumbers [0 .. 64]),
-      rememberedHashes = Unboxed.concat (map hashesOf boxes)
+      rememberedReals = primArrayFromList (concat [[a, cellsPerUnit l] | (l, a) <- layers profile]),
+      rememberedBoxes = primArrayFromList (concatMap boxNumbers boxes),
+      rememberedGradients = foldMap gradientsOf boxes
     }
   where
-    boxes = takeFitting 0 [box | (l, _) <- layers profile, Just box <- [boxAt l low high]]
-    takeFitting _ [] = []
-    takeFitting used (box : rest)
-      | used + boxPoints box > fromIntegral (max 0 budget) = []
-      | otherwise = box {boxOffset = used} : takeFitting (used + boxPoints box) rest
-    boxNumbers n = case [box | box <- boxes, levelNumber (boxLevel box) == n] of
-      Box _ x y z nx ny nz offset : _ -> [x, y, z, nx, ny, nz, offset]
-      [] -> replicate boxFields 0
-    hashesOf (Box l x y z nx ny nz _) =
-      Unboxed.generate (fromIntegral (nx * ny * nz)) $ \i ->
-        let (rest, dx) = fromIntegral i `quotRem` nx
-            (dz, dy) = rest `quotRem` ny
-         in latticeHash3 seed (latticePoint3 l (x + dx) (y + dy) (z + dz))
+    boxes = fitting 0 [(l, boxAt l low high) | (l, _) <- layers profile]
+    fitting _ [] = []
+    fitting used ((l, found) : rest) = case found of
+      Just box
+        | used + boxPoints box <= fromIntegral (max 0 budget) ->
+          box {boxOffset = used} : fitting (used + boxPoints box) rest
+      _ -> [Box l' 0 0 0 0 0 0 0 | l' <- l : map fst rest]
+    gradientsOf (Box _ _ _ _ 0 _ _ _) = mempty
+    gradientsOf box@(Box l x y z nx ny _ _) =
+      generatePrimArray (fromIntegral (boxPoints box)) $ \i ->
+        let (rest, dx) = fromIntegral i `quotRem` (nx + 1)
+            (dz, dy) = rest `quotRem` (ny + 1)
+         in fromIntegral (gradientNumber3 (latticeHash3 seed (latticePoint3 l (x + dx) (y + dy) (z + dz))))
 
 -- | How many lattice points the table holds.
 rememberedPoints :: Remembered -> Int
-rememberedPoints = Unboxed.length . rememberedHashes
+rememberedPoints = sizeofPrimArray . rememberedGradients
 
--- | The same as 'BlackHole.Noise.PerlinG.perlin3' with the seed and profile,
--- bit for bit.
-rememberedPerlin3 :: Remembered -> XYZ -> Double
-rememberedPerlin3 (Remembered seed profile boxes hashes) =
-  runIdentity . perlin3With (Identity . hash) profile
+-- | The amplitudes of the levels, coarse to fine.
+rememberedAmplitudes :: Remembered -> [Double]
+rememberedAmplitudes noise =
+  [indexPrimArray reals i | i <- [0, realFields .. sizeofPrimArray reals - 1]]
   where
-    hash point
-      | dx < field 3 && dy < field 4 && dz < field 5 =
-        Unboxed.unsafeIndex hashes (fromIntegral (field 6 + dx + field 3 * (dy + field 4 * dz)))
-      | otherwise = latticeHash3 seed point
+    reals = rememberedReals noise
+
+-- | @rememberedPerlin3 noise count place@: the sum over the first @count@
+-- levels, coarse to fine, of which the last counts by the fraction of @count@.
+-- With all of them the same as 'BlackHole.Noise.PerlinG.perlin3' with the seed
+-- and profile, bit for bit. Nothing is allocated.
+rememberedPerlin3 :: Remembered -> Double -> XYZ -> Double
+rememberedPerlin3 (Remembered seed reals boxes gradients) !count place@(XYZ px py pz) =
+  case onGrid3 place of
+    Nothing -> 0
+    Just (GridPlace3 x y z) -> go 0 count 0
       where
-        !first = boxFields * levelNumber level'
-        level' = pointLevel3 point
-        field k = Unboxed.unsafeIndex boxes (first + k)
-        -- Distances from the box's first corner, around the torus.
-        !distances = latticePoint3 level' (pointX3 point - field 0) (pointY3 point - field 1) (pointZ3 point - field 2)
-        !dx = pointX3 distances
-        !dy = pointY3 distances
-        !dz = pointZ3 distances
-{-# INLINE rememberedPerlin3 #-}
+        !levels = sizeofPrimArray reals `quot` realFields
+        go :: Int -> Double -> Double -> Double
+        go !i !left !total
+          | i >= levels || left <= 0 = total
+          | dx < nx && dy < ny && dz < nz =
+            go (i + 1) (left - 1) (total + amplitude * interpolateGradients3 u v w at)
+          | otherwise =
+            go (i + 1) (left - 1) (total + amplitude * noise3 seed (clampedLevel (fromIntegral (field 0))) (XYZ px py pz))
+          where
+            real k = indexPrimArray reals (realFields * i + k)
+            field k = indexPrimArray boxes (boxFields * i + k)
+            !amplitude = if left >= 1 then real 0 else left * real 0
+            !cells = real 1
+            !mask = field 1
+            !(Floor cellX u) = floorOf (cells * x)
+            !(Floor cellY v) = floorOf (cells * y)
+            !(Floor cellZ w) = floorOf (cells * z)
+            -- Distances from the box's first corner, around the torus.
+            !dx = (fromIntegral cellX - field 2) .&. mask
+            !dy = (fromIntegral cellY - field 3) .&. mask
+            !dz = (fromIntegral cellZ - field 4) .&. mask
+            !nx = field 5
+            !ny = field 6
+            !nz = field 7
+            -- A row of points is one longer than the row of cells.
+            !row = fromIntegral (nx + 1) :: Int
+            !slice = row * fromIntegral (ny + 1)
+            !first = fromIntegral (field 8) + fromIntegral dx + row * fromIntegral dy + slice * fromIntegral dz
+            at a b c =
+              fromIntegral
+                (indexPrimArray gradients (first + a + (if b == 0 then 0 else row) + (if c == 0 then 0 else slice)))
+            {-# INLINE at #-}
 
-boxFields :: Int
-boxFields = 7
-
--- | The lattice points of one level that cells in a box of space have as
--- corners.
+-- | The cells of one level in a box of space: first index along each axis, how
+-- many, and where its points begin in the table.
 data Box = Box
-  { boxLevel :: !Level,
+  { _boxLevel :: !Level,
     _boxX :: !Word64,
     _boxY :: !Word64,
     _boxZ :: !Word64,
@@ -101,13 +130,27 @@ data Box = Box
     boxOffset :: !Word64
   }
 
+boxFields, realFields :: Int
+boxFields = 9
+realFields = 2
+
+-- | The box as 'rememberedPerlin3' reads it.
+boxNumbers :: Box -> [Word64]
+boxNumbers (Box l x y z nx ny nz offset) =
+  [fromIntegral (levelNumber l), lastIndex l, fromMiddle x, fromMiddle y, fromMiddle z, nx, ny, nz, offset]
+  where
+    fromMiddle i = i - middleIndex l
+
 boxPoints :: Box -> Word64
-boxPoints box = boxCountX box * boxCountY box * boxCountZ box
+boxPoints box = (boxCountX box + 1) * (boxCountY box + 1) * (boxCountZ box + 1)
 
 -- | 'Nothing' where a coordinate is not finite, or the box is empty or has too
--- many points to be worth a thought.
+-- many cells to be worth a thought.
 boxAt :: Level -> XYZ -> XYZ -> Maybe Box
 boxAt l (XYZ x0 y0 z0) (XYZ x1 y1 z1) = do
+  -- Level 0 has a cell that does not begin at the origin, and places beyond
+  -- level 50 are more than 'floorOf' can take.
+  guard (l /= minBound && l <= clampedLevel 50)
   Cell3 corner _ _ _ <- cellAround3 l <$> onGrid3 (XYZ x0 y0 z0)
   nx <- count x0 x1
   ny <- count y0 y1
@@ -115,10 +158,9 @@ boxAt l (XYZ x0 y0 z0) (XYZ x1 y1 z1) = do
   pure (Box l (pointX3 corner) (pointY3 corner) (pointZ3 corner) nx ny nz 0)
   where
     cellsAround = cellsPerUnit l * circumference
-    -- The cells touched, one more in case both ends lie within cells, and the
-    -- last one's far corner.
+    -- The cells touched, one more in case both ends lie within cells.
     count a b
-      | cells >= 0 && cells < 1e6 = Just (truncate (min cellsAround (cells + 3)))
+      | cells >= 0 && cells < 1e6 = Just (truncate (min cellsAround (cells + 2)))
       | otherwise = Nothing
       where
         cells = (b - a) * cellsPerUnit l

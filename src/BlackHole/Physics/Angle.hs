@@ -5,6 +5,7 @@ module BlackHole.Physics.Angle
     Radians (..),
     toRadians,
     toDegrees,
+    arcTangent2,
   )
 where
 
@@ -23,3 +24,15 @@ toRadians (Degrees d) = Radians (d * pi / 180)
 -- | The same angle in degrees.
 toDegrees :: Radians -> Degrees
 toDegrees (Radians r) = Degrees (r * 180 / pi)
+
+-- | @arcTangent2 y x@: the same angle as @atan2 y x@, which in GHC's library
+-- takes several times as long for its care about signed zeros and infinities; 0
+-- for two zeros.
+arcTangent2 :: Double -> Double -> Double
+arcTangent2 y x
+  | x > 0 = atan (y / x)
+  | x < 0 = if y < 0 then atan (y / x) - pi else atan (y / x) + pi
+  | y > 0 = pi / 2
+  | y < 0 = negate (pi / 2)
+  | otherwise = 0
+{-# INLINE arcTangent2 #-}

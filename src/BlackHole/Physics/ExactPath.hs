@@ -49,7 +49,7 @@ followOrbit region (Photon place velocity) gather
     -- A photon that moves straight at the hole or away from it sweeps no angle
     -- to march along; its neighbour within 1e-12 radians does.
     !tangential = max (1e-12 * XYZ.norm velocity) (XYZ.norm across)
-    !e2 = fromMaybe (perpendicularTo e1) (XYZ.normalize across)
+    !e2 = fromMaybe (XYZ.perpendicular e1) (XYZ.normalize across)
     !path = orbit r0 radial tangential
     !b = r0 * tangential
     !slope0 = negate radial / b
@@ -134,10 +134,3 @@ straightImpact (Photon place velocity)
   where
     along = XYZ.dot place velocity
     closest2 = XYZ.normSquared place - along * along
-
--- | Some unit vector at right angles to a unit vector.
-perpendicularTo :: XYZ -> XYZ
-perpendicularTo e@(XYZ x _ _) =
-  fromMaybe (XYZ 0 1 0) (XYZ.normalize (XYZ.cross e axis))
-  where
-    axis = if abs x < 0.7 then XYZ 1 0 0 else XYZ 0 1 0

@@ -12,6 +12,7 @@ module BlackHole.Physics.LightPath
     Onward (..),
     Followed (..),
     Region (..),
+    emptyRegion,
     halfHeightAt,
     insideRegion,
   )
@@ -60,6 +61,8 @@ data Followed a = Followed
 data Region = Region
   { -- | Outer radius, from the axis.
     regionRadius :: !Double,
+    -- | Nothing is closer to the hole than this, at least 0.
+    regionInnerRadius :: !Double,
     -- | Half height on the axis; negative for an empty region.
     regionHalfHeight :: !Double,
     -- | Growth of the half height per radius, at least 0.
@@ -74,6 +77,10 @@ data Region = Region
   }
   deriving (Eq, Show)
 
+-- | Nowhere at all.
+emptyRegion :: Region
+emptyRegion = Region 0 0 (-1) 0 1 1
+
 -- | The half height at a distance from the axis.
 halfHeightAt :: Region -> Double -> Double
 halfHeightAt region rho = regionHalfHeight region + regionFlare region * rho
@@ -82,7 +89,11 @@ halfHeightAt region rho = regionHalfHeight region + regionFlare region * rho
 -- | Whether a point lies in the region.
 insideRegion :: Region -> XYZ -> Bool
 insideRegion region (XYZ x y z) =
-  rho <= regionRadius region && abs y <= halfHeightAt region rho
+  rho <= regionRadius region
+    && abs y <= halfHeightAt region rho
+    && rho2 + y * y >= inner * inner
   where
-    rho = sqrt (x * x + z * z)
+    rho2 = x * x + z * z
+    rho = sqrt rho2
+    inner = regionInnerRadius region
 {-# INLINE insideRegion #-}

@@ -1,3 +1,5 @@
+{-# LANGUAGE BangPatterns #-}
+
 -- | Who looks: how the directions an observer sees become light paths, and how
 -- his motion and place shift the light's frequency.
 --
@@ -64,22 +66,24 @@ data SightLine = SightLine
 -- | The light path seen by an observer at a place in a direction (unit length,
 -- pointing away from the eye). 'Nothing' where he sees the dark because no
 -- light comes from outside along it (inside the horizon), or where no such
--- observer exists ('observerRange').
+-- observer exists ('observerRange'). Bind the result of the first three
+-- arguments to work out once what they determine.
 sightLine :: Spacetime -> Observer -> XYZ -> XYZ -> Maybe SightLine
-sightLine Flat _ place direction =
-  (`SightLine` 1) . Photon place <$> XYZ.normalize direction
-sightLine Schwarzschild observer place direction
-  | r <= observerRange Schwarzschild observer || isNaN r = Nothing
+sightLine Flat _ place =
+  fmap ((`SightLine` 1) . Photon place) . XYZ.normalize
+sightLine Schwarzschild observer place
+  | r <= observerRange Schwarzschild observer || isNaN r = const Nothing
   | otherwise = case observer of
-    Coordinate -> (`SightLine` 1) <$> withUnitEnergy (Photon place direction)
-    Static -> static direction
+    Coordinate -> fmap (`SightLine` 1) . withUnitEnergy . Photon place
+    Static -> static
     Orbiting -> orbiting
-    Falling -> fromEnergy (1 + sqrt (1 / r) * outward) (direction ^+^ sqrt (1 / r) *^ radial)
+    Falling -> \direction ->
+      fromEnergy (1 + infall * XYZ.dot radial direction) (direction ^+^ infall *^ radial)
   where
-    r = XYZ.norm place
-    radial = (1 / r) *^ place
-    outward = XYZ.dot radial direction
-    dilation = sqrt (1 - 1 / r)
+    !r = XYZ.norm place
+    !radial = (1 / r) *^ place
+    !dilation = sqrt (1 - 1 / r)
+    !infall = sqrt (1 / r)
     -- Light of frequency one to the observer has this energy at infinity and
     -- this pseudo-velocity; scale both to unit energy.
     fromEnergy energy velocity
@@ -92,11 +96,11 @@ sightLine Schwarzschild observer place direction
     -- His speed past the static observer is √(1/(2(r−1))). The light itself
     -- moves along −direction, so what is boosted back into the static frame is
     -- the momentum −direction; its reverse is the direction seen there.
-    orbiting = do
-      let azimuthal = orbitDirection radial
-          speed = sqrt (1 / (2 * (r - 1)))
-          gamma = 1 / sqrt (1 - speed * speed)
-          along = XYZ.dot azimuthal direction
+    azimuthal = orbitDirection radial
+    speed = sqrt (1 / (2 * (r - 1)))
+    gamma = 1 / sqrt (1 - speed * speed)
+    orbiting direction = do
+      let along = XYZ.dot azimuthal direction
           -- Frequency in the static frame of light of frequency one here.
           frequency = gamma * (1 - speed * along)
           momentum =

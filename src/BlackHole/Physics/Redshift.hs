@@ -20,6 +20,7 @@ module BlackHole.Physics.Redshift
     RedshiftParts (..),
     redshiftParts,
     gasRedshift,
+    gasFrequency,
   )
 where
 
@@ -140,3 +141,19 @@ gasRedshift observed position@(XYZ _ y _) velocity = do
   where
     r = sqrt (dot position position)
 {-# INLINE gasRedshift #-}
+
+-- | @gasFrequency position r velocity@: ν/E∞ of light in the frame of the gas at
+-- a place whose distance from the hole is @r > 1@, from the /backward/
+-- pseudo-velocity of unit energy. The same as by 'gasVelocity' and
+-- 'frequencyIn', worked out for the case that fills a picture: circling gas.
+gasFrequency :: XYZ -> Double -> XYZ -> Double
+gasFrequency position@(XYZ x y z) r velocity@(XYZ vx _ vz)
+  | r >= 3 = (1 - sqrt (0.5 * u) * u * lambda) / sqrt (1 - u * (1.5 - 0.5 * sinLatitude * sinLatitude))
+  | otherwise = case gasVelocity r y of
+    Just moving -> frequencyIn moving (PhotonMomentum (negate (dot position velocity) / (r - 1)) lambda)
+    Nothing -> 1
+  where
+    u = 1 / r
+    sinLatitude = y * u
+    lambda = x * vz - z * vx
+{-# INLINE gasFrequency #-}

@@ -1,3 +1,5 @@
+{-# LANGUAGE BangPatterns #-}
+
 -- | Where the camera stands, where it looks, and which direction of sight
 -- belongs to a point of the picture.
 module BlackHole.Scene.Camera
@@ -8,6 +10,7 @@ module BlackHole.Scene.Camera
     cameraFrame,
     Picture (..),
     sightDirection,
+    pixelAngle,
   )
 where
 
@@ -102,8 +105,13 @@ sightDirection camera (Picture width height) (Frame forward right up) =
             ^+^ ((halfHeight - py) * scale) *^ up
      in (1 / XYZ.norm d) *^ d
   where
-    halfWidth = 0.5 * fromIntegral width
-    halfHeight = 0.5 * fromIntegral height
+    !halfWidth = 0.5 * fromIntegral width
+    !halfHeight = 0.5 * fromIntegral height
     Radians fov = toRadians (cameraFieldOfView camera)
-    scale = tan (0.5 * fov) / halfWidth
-{-# INLINE sightDirection #-}
+    !scale = tan (0.5 * fov) / halfWidth
+
+-- | The angle that a pixel in the middle of the picture covers, in radians.
+pixelAngle :: Camera -> Picture -> Double
+pixelAngle camera picture = 2 * tan (0.5 * fov) / fromIntegral (pictureWidth picture)
+  where
+    Radians fov = toRadians (cameraFieldOfView camera)

@@ -6,6 +6,7 @@ module BlackHole.Scene.Disk
     reportDisk,
     defaultDisk,
     diskRegion,
+    Fineness (..),
     diskThicknessAt,
   )
 where
@@ -106,8 +107,8 @@ defaultDisk =
       diskArmDepth = 0.3,
       diskArmNoise = 3,
       diskArmNoiseFrequency = 0.5,
-      diskArmNoiseOctaves = 2,
-      diskTurbulence = 4,
+      diskArmNoiseOctaves = 1,
+      diskTurbulence = 3.2,
       diskTurbulenceFrequency = 12,
       diskColour = BlackBody 4500
     }
@@ -120,19 +121,33 @@ diskThicknessAt disk rho = case diskProfile disk of
 {-# INLINE diskThicknessAt #-}
 
 -- | Where there can be gas, and how finely a path through it is to be cut. A
--- Gaussian is integrated to far below a display's precision by steps of 0.4 of
--- its width; beyond three widths less than 1.3e-4 of the density is left.
-diskRegion :: Disk -> Region
-diskRegion disk =
+-- Gaussian is integrated to far below a display's precision by steps of up to 0.8
+-- of its width; beyond three widths less than 1.3e-4 of the density is left.
+diskRegion :: Fineness -> Disk -> Region
+diskRegion fineness disk =
   Region
     { regionRadius = diskOuterRadius disk,
+      -- Ten widths of the inner edge further in 5e-5 of the density is left.
+      regionInnerRadius = max 0 (diskInnerRadius disk - 1),
       regionHalfHeight = reach constant,
       regionFlare = reach opening / diskOuterRadius disk,
-      regionVerticalStep = 0.4 / 3,
-      regionLongestStep = 0.02
+      regionVerticalStep = vertical / 3,
+      regionLongestStep = longest
     }
   where
     reach part = 3 * part * diskThickness disk
     (constant, opening) = case diskProfile disk of
       ConstantThickness -> (1, 0)
       ConstantOpening -> (0, 1)
+    (vertical, longest) = case fineness of
+      Swift -> (0.8, 0.05)
+      Fine -> (0.4, 0.02)
+
+-- | Length of the steps through the gas.
+data Fineness
+  = -- | For paths that enter the gas in different phases of their steps, so that
+    -- neighbours make up for what one leaves out.
+    Swift
+  | -- | For paths that stand alone.
+    Fine
+  deriving (Eq, Show, Enum, Bounded)

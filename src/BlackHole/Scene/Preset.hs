@@ -52,7 +52,7 @@ defaultScene =
           },
       sceneObserver = Static,
       sceneSpacetime = Schwarzschild,
-      sceneIntegrator = Exact,
+      sceneIntegrator = Tabulated,
       sceneStep = 0.1,
       sceneDisk = Just defaultDisk,
       sceneSky = SkyNoise defaultStars,

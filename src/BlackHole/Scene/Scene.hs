@@ -10,7 +10,7 @@ where
 
 import BlackHole.Light.Display (Exposure, ToneMap)
 import BlackHole.Physics.Leapfrog
-import BlackHole.Physics.LightPath (Region (..))
+import BlackHole.Physics.LightPath (Region, emptyRegion)
 import BlackHole.Physics.Observer (Observer)
 import BlackHole.Physics.Spacetime (Spacetime)
 import BlackHole.Scene.Camera (Camera, Picture)
@@ -46,7 +46,10 @@ data Scene = Scene
 
 -- | The ways to follow light.
 data Integrator
-  = -- | Along the closed form of the orbit.
+  = -- | Along the closed form of the orbit, tabulated for the camera's place:
+    -- the same to 1e-5 Schwarzschild radii.
+    Tabulated
+  | -- | Along the closed form itself, with finer steps through the gas.
     Exact
   | -- | The report's leapfrog.
     Leapfrogging
@@ -54,6 +57,7 @@ data Integrator
 
 -- | The name on the command line.
 integratorName :: Integrator -> String
+integratorName Tabulated = "table"
 integratorName Exact = "exact"
 integratorName Leapfrogging = "leapfrog"
 
@@ -67,6 +71,9 @@ sceneLeapfrog scene =
 
 -- | Where there can be gas; empty without a disk.
 sceneRegion :: Scene -> Region
-sceneRegion = maybe nowhere diskRegion . sceneDisk
+sceneRegion scene = maybe emptyRegion (diskRegion fineness) (sceneDisk scene)
   where
-    nowhere = Region 0 (-1) 0 1 1
+    fineness = case sceneIntegrator scene of
+      Tabulated -> Swift
+      Exact -> Fine
+      Leapfrogging -> Fine

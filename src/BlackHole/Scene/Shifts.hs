@@ -29,7 +29,7 @@ shiftFactor (Shifts doppler gravity) shift =
 -- distance from the hole and his ν_obs/E∞. Inside the horizon nobody is at
 -- rest, and gravity's part is not to be told from motion's.
 skyShift :: Shifts -> Double -> Double -> Double
-skyShift (Shifts doppler gravity) r observed = case staticObserver r of
-  Just static ->
+skyShift (Shifts doppler gravity) r = case staticObserver r of
+  Just static -> \observed ->
     (if gravity then static else 1) * (if doppler then observed / static else 1)
-  Nothing -> if doppler || gravity then observed else 1
+  Nothing -> \observed -> if doppler || gravity then observed else 1

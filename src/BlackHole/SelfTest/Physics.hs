@@ -190,10 +190,9 @@ aimedAt b = Photon (XYZ p 0 (sqrt (900 - p * p))) (XYZ 0 0 (negate speed))
 -- the report's rule takes short steps.
 pathEnd :: StepRule -> Double -> Fate
 pathEnd rule b =
-  followedFate (followLeapfrog settings Schwarzschild nowhere (aimedAt b) (\() _ -> Onward ()) ())
+  followedFate (followLeapfrog settings Schwarzschild emptyRegion (aimedAt b) (\() _ -> Onward ()) ())
   where
     settings = defaultLeapfrog {leapfrogSteps = rule, leapfrogSkyRadius = 400}
-    nowhere = Region 0 (-1) 0 1 1
 
 -- | The points of its path by leapfrog until it has left r = 31.
 walk :: StepRule -> Double -> [Photon]

@@ -120,16 +120,16 @@ sighting scene traced point =
   Sighting
     { sightingPoint = point,
       sightingDirection = tracedDirection traced point,
-      sightingArrival = arrival scene traced <$> tracedSight traced point,
+      sightingArrival = arrival scene traced point <$> tracedSight traced point,
       sightingRadiance = sightRadiance traced point
     }
 
 -- | What is gathered, and how many stretches added to it.
 data Counted = Counted !Int !Gathered
 
-arrival :: Scene -> Tracer -> SightLine -> Arrival
-arrival scene traced sight@(SightLine photon observed) =
-  case followSight scene sight count (Counted 0 nothingYet) of
+arrival :: Scene -> Tracer -> XY -> SightLine -> Arrival
+arrival scene traced point sight@(SightLine photon observed) =
+  case followSight traced point sight count (Counted 0 nothingYet) of
     Followed fate (Counted samples (Gathered light transmittance)) steps ->
       Arrival
         { arrivalAngularMomentum = angularMomentum photon,

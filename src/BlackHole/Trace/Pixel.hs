@@ -1,4 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
+-- The loop along a path keeps its state in registers and on the stack, not on
+-- the heap.
+{-# OPTIONS_GHC -fmax-worker-args=64 #-}
 
 -- | From a scene and a pixel to its radiance: one pure function.
 module BlackHole.Trace.Pixel
@@ -19,13 +22,17 @@ where
 
 import BlackHole.Light.Radiance
 import BlackHole.Noise.SipHash
+import BlackHole.Numeric.Floor (turnFraction)
 import BlackHole.Physics.ExactPath
 import BlackHole.Physics.Fate
 import BlackHole.Physics.Leapfrog
+import BlackHole.Physics.LensTable
 import BlackHole.Physics.LightPath
 import BlackHole.Physics.Observer
 import BlackHole.Physics.Spacetime (Spacetime (..))
+import BlackHole.Physics.SweptPath
 import BlackHole.Scene.Camera
+import BlackHole.Scene.Disk (Disk)
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Shifts (skyShift)
 import BlackHole.Trace.Gas
@@ -39,10 +46,22 @@ import Data.Bits (shiftR, (.&.))
 data Tracer = Tracer
   { tracerSight :: !(XY -> XYZ),
     tracerScene :: !Scene,
-    tracerGas :: !(Double -> GasShader),
-    tracerFollow :: !(SightLine -> Followed Gathered),
+    -- | The light path that arrives from a direction.
+    tracerPath :: !(XYZ -> Maybe SightLine),
+    -- | The part of g that counts for the sky, by the observer's frequency.
+    tracerSkyShift :: !(Double -> Double),
+    tracerRegion :: !Region,
+    tracerMatter :: !Matter,
+    -- | The paths through the camera's place; made when first used.
+    tracerTable :: LensTable,
     tracerSky :: !(Double -> XYZ -> Radiance)
   }
+
+-- | What shines along the way.
+data Matter
+  = Vacuum
+  | Checks !Disk
+  | Gaseous !Gas
 
 -- | Make a scene ready. 'Nothing' if its camera looks nowhere
 -- ('cameraFrame'); a validated scene has none of that.
@@ -53,31 +72,63 @@ tracer scene = do
     Tracer
       { tracerSight = sightDirection (sceneCamera scene) (scenePicture scene) frame,
         tracerScene = scene,
-        tracerGas = gas,
-        tracerFollow = \sight -> followSight scene sight (gas (sightFrequency sight)) nothingYet,
+        tracerPath = sightLine (sceneSpacetime scene) (sceneObserver scene) place,
+        tracerSkyShift = case sceneSpacetime scene of
+          Flat -> const 1
+          Schwarzschild -> skyShift (sceneShifts scene) (XYZ.norm place),
+        tracerRegion = sceneRegion scene,
+        tracerMatter = matter,
+        tracerTable = lensTable (XYZ.norm place),
         tracerSky = sky
       }
   where
+    place = posePosition (cameraPose (sceneCamera scene))
     seed = sceneSeed scene
     sky
       | sceneDebugTextures scene = const gridRadiance
       | otherwise = skyShader seed (sceneSky scene)
-    gas = case sceneDisk scene of
-      Nothing -> \_ gathered _ -> Onward gathered
+    matter = case sceneDisk scene of
+      Nothing -> Vacuum
       Just disk
-        | sceneDebugTextures scene -> const (parityShader disk)
-        | otherwise -> gasShader seed (sceneShifts scene) disk
+        | sceneDebugTextures scene -> Checks disk
+        | otherwise -> Gaseous (gas seed (sceneShifts scene) disk place (pixelAngle (sceneCamera scene) (scenePicture scene)) (sceneSamples scene))
 
--- | Follow a line of sight through a scene by the scene's own integrator and
--- hand the stretches that lie where there can be gas to the gatherer.
-followSight :: Scene -> SightLine -> (a -> Stretch -> Onward a) -> a -> Followed a
-followSight scene = case sceneIntegrator scene of
-  Exact -> followExact space region . sightPhoton
-  Leapfrogging -> followLeapfrog (sceneLeapfrog scene) space region . sightPhoton
+-- | Follow a line of sight by the scene's own integrator and hand the stretches
+-- that lie where there can be gas to the gatherer. The point of the picture is
+-- the one it goes through.
+followSight :: Tracer -> XY -> SightLine -> (a -> Stretch -> Onward a) -> a -> Followed a
+followSight traced point sight = case sceneIntegrator scene of
+  Tabulated -> followSwept space (tracerTable traced) region (stepPhase point) photon
+  Exact -> followExact space region photon
+  Leapfrogging -> followLeapfrog (sceneLeapfrog scene) space region photon
   where
+    scene = tracerScene traced
     space = sceneSpacetime scene
-    region = sceneRegion scene
-{-# INLINE followSight #-}
+    region = tracerRegion traced
+    photon = sightPhoton sight
+
+-- | The light of everything along a line of sight, and what is behind it.
+followLight :: Tracer -> XY -> SightLine -> Followed Gathered
+followLight traced point sight = case (sceneIntegrator scene, tracerMatter traced) of
+  -- The one case that is compiled into a loop of its own.
+  (Tabulated, Gaseous glowing) ->
+    followSwept
+      (sceneSpacetime scene)
+      (tracerTable traced)
+      (tracerRegion traced)
+      (stepPhase point)
+      (sightPhoton sight)
+      (gatherGas glowing (sightFrequency sight))
+      nothingYet
+  _ -> followSight traced point sight (tracedGas traced (sightFrequency sight)) nothingYet
+  where
+    scene = tracerScene traced
+
+-- | Where on its first step a path enters the gas, 0 … 1: spread evenly over the
+-- samples of a pixel and over its neighbours, so that what one step misses
+-- another sees. (The additive recurrence of the plastic number.)
+stepPhase :: XY -> Double
+stepPhase (XY x y) = 0.5 + turnFraction (0.7548776662466927 * x + 0.5698402909980532 * y)
 
 -- | Mean radiance of a pixel (column and row from the top left, from 0) over
 -- its samples. Depends on the scene and the pixel alone.
@@ -95,7 +146,7 @@ pixelRadiance traced column row = go 0 black
 sightRadiance :: Tracer -> XY -> Radiance
 sightRadiance traced point = case tracedSight traced point of
   Nothing -> black
-  Just sight -> case tracerFollow traced sight of
+  Just sight -> case followLight traced point sight of
     Followed fate (Gathered light transmittance) _ ->
       light <+> scaleRadiance transmittance (tracedSky traced sight fate)
 
@@ -106,31 +157,22 @@ tracedDirection = tracerSight
 -- | The light path that arrives at a point of the picture; 'Nothing' where it
 -- is dark because none does ('sightLine').
 tracedSight :: Tracer -> XY -> Maybe SightLine
-tracedSight traced =
-  sightLine (sceneSpacetime scene) (sceneObserver scene) (tracedPlace traced) . tracerSight traced
-  where
-    scene = tracerScene traced
+tracedSight traced point = tracerPath traced (tracerSight traced point)
 
--- | The shader of the scene's gas, by the observer's frequency.
-tracedGas :: Tracer -> Double -> GasShader
-tracedGas = tracerGas
+-- | What a stretch of the scene's gas adds, by the observer's frequency.
+tracedGas :: Tracer -> Double -> Gathered -> Stretch -> Onward Gathered
+tracedGas traced observed = case tracerMatter traced of
+  Vacuum -> \gathered _ -> Onward gathered
+  Checks disk -> gatherParity disk
+  Gaseous glowing -> gatherGas glowing observed
 
 -- | What the sky sends to the end of a line of sight, with no gas in between.
 tracedSky :: Tracer -> SightLine -> Fate -> Radiance
 tracedSky traced sight fate = case fate of
-  Escaped direction -> tracerSky traced (g (sightFrequency sight)) direction
+  Escaped direction -> tracerSky traced (tracerSkyShift traced (sightFrequency sight)) direction
   Captured -> black
   Opaque -> black
   StepLimit -> black
-  where
-    scene = tracerScene traced
-    g = case sceneSpacetime scene of
-      Flat -> const 1
-      Schwarzschild -> skyShift (sceneShifts scene) (XYZ.norm (tracedPlace traced))
-
--- | Where the camera stands.
-tracedPlace :: Tracer -> XYZ
-tracedPlace = posePosition . cameraPose . sceneCamera . tracerScene
 
 -- | Where in its pixel a sample is taken. A single one sits in the middle;
 -- several are jittered within the cells of a grid, hashed from the seed, the

@@ -10,6 +10,7 @@ import BlackHole.Light.Radiance
 import BlackHole.Noise.Lattice (unitLevel)
 import BlackHole.Noise.PerlinG (noise3, perlin3)
 import BlackHole.Noise.Profile (normalised, octaves)
+import BlackHole.Physics.Angle (arcTangent2)
 import BlackHole.Scene.Sky
 import BlackHole.Trace.Seeds
 import BlackHole.Vector.XYZ (XYZ (..), (*^))
@@ -22,7 +23,7 @@ import Data.Word (Word64)
 skyShader :: Word64 -> Sky -> Double -> XYZ -> Radiance
 skyShader seed sky = case sky of
   SkyNoise stars -> starRadiance seed stars
-  SkyGrid -> \g -> scaleRadiance (g ^ (4 :: Int)) . gridRadiance
+  SkyGrid -> \g direction -> scaleRadiance (g * g * (g * g)) (gridRadiance direction)
   SkyUniform v -> \g _ -> grey (v * g ^ (4 :: Int))
   SkyNone -> \_ _ -> black
 
@@ -55,5 +56,5 @@ gridRadiance (XYZ x y z)
   | y >= 0 = scaleRadiance shade (Radiance 1 0.6 0.25)
   | otherwise = scaleRadiance shade (Radiance 0.25 0.6 1)
   where
-    shade = if even (field (atan2 z x) + field (asin (max (-1) (min 1 y)))) then 0.8 else 0.15
+    shade = if even (field (arcTangent2 z x) + field (asin (max (-1) (min 1 y)))) then 0.8 else 0.15
     field angle = floor (angle * 18 / pi) :: Int

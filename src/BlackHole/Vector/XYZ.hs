@@ -18,6 +18,7 @@ module BlackHole.Vector.XYZ
     normSquared,
     norm,
     normalize,
+    perpendicular,
     distance,
     lerp,
     isFinite,
@@ -92,6 +93,13 @@ normalize v
     n = norm v
     k = 1 / n
 {-# INLINE normalize #-}
+
+-- | Some unit vector at right angles to a unit vector.
+perpendicular :: XYZ -> XYZ
+perpendicular (XYZ x y z)
+  -- Crossed with the axis that is far enough from it, and divided by the length.
+  | abs x < 0.7 = let n = sqrt (y * y + z * z) in XYZ 0 (z / n) (negate y / n)
+  | otherwise = let n = sqrt (x * x + z * z) in XYZ (negate z / n) 0 (x / n)
 
 -- | Distance of two points.
 distance :: XYZ -> XYZ -> Double

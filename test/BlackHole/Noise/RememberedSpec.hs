@@ -14,16 +14,16 @@ spec :: Spec
 spec = do
   prop "is the plain noise bit for bit, inside the box and out of it" $
     forAll (XYZ <$> inRange (-6) 6 <*> inRange (-3) 3 <*> inRange (-6) 6) $ \place ->
-      rememberedPerlin3 table place === perlin3 seed waves place
+      rememberedPerlin3 table 64 place === perlin3 seed waves place
   prop "also around the torus" $
     forAll ((,) <$> inRange (-3e9) 3e9 <*> inRange (-1e9) 1e9) $ \(x, y) ->
-      rememberedPerlin3 ring (XYZ x y 0) === perlin3 seed rings (XYZ x y 0)
+      rememberedPerlin3 ring 64 (XYZ x y 0) === perlin3 seed rings (XYZ x y 0)
   it "keeps to its budget, coarse levels first" $ do
     rememberedPoints table `shouldSatisfy` (\n -> n > 1000 && n <= 20000)
     rememberedPoints (remember 0 seed waves (XYZ 0 0 0) (XYZ 1 1 1)) `shouldBe` 0
   it "survives boxes that make no sense" $ do
     let odd' = remember 1000 seed waves (XYZ (0 / 0) 0 0) (XYZ (-1) (1 / 0) 2)
-    rememberedPerlin3 odd' (XYZ 0.3 0.4 0.5) `shouldBe` perlin3 seed waves (XYZ 0.3 0.4 0.5)
+    rememberedPerlin3 odd' 64 (XYZ 0.3 0.4 0.5) `shouldBe` perlin3 seed waves (XYZ 0.3 0.4 0.5)
   where
     seed = Seed 42
     waves = octaves unitLevel 4 0.5

@@ -72,13 +72,13 @@ spec = do
     it "escapes in the direction of the closed form" $
       XYZ.distance (directionBy reportStepRule) (exactDirection 5) `shouldBeWithin` (2e-4, 0)
     prop "without gravity rays are straight" $ \(Outside x) (Direction v) ->
-      case followedFate (followLeapfrog defaultLeapfrog Flat nowhere (Photon x v) (\() _ -> Onward ()) ()) of
+      case followedFate (followLeapfrog defaultLeapfrog Flat emptyRegion (Photon x v) (\() _ -> Onward ()) ()) of
         Escaped d -> nearXYZ 1e-12 d v
         Captured -> property (XYZ.norm (XYZ.cross x v) < 1 && XYZ.dot x v < 0)
         other -> counterexample (show other) False
   describe "the hot loop" $
     it "allocates nothing per step" . whenOptimised $ do
-      let steps limit = followedSteps (followLeapfrog defaultLeapfrog {leapfrogSteps = EqualSteps 1e-4, leapfrogStepLimit = limit} Schwarzschild nowhere (aimedAt 5) (\() _ -> Onward ()) ())
+      let steps limit = followedSteps (followLeapfrog defaultLeapfrog {leapfrogSteps = EqualSteps 1e-4, leapfrogStepLimit = limit} Schwarzschild emptyRegion (aimedAt 5) (\() _ -> Onward ()) ())
       few <- allocatedBytes (steps 1000)
       many <- allocatedBytes (steps 100000)
       (many - few) `shouldSatisfy` (< 100000)
@@ -95,7 +95,7 @@ aimedAt b = Photon (XYZ p 0 (sqrt (900 - p * p))) (XYZ 0 0 (negate speed))
 -- | Where that photon escapes to at b = 5, by leapfrog.
 directionBy :: StepRule -> XYZ
 directionBy rule =
-  case followedFate (followLeapfrog defaultLeapfrog {leapfrogSteps = rule, leapfrogSkyRadius = 400} Schwarzschild nowhere (aimedAt 5) (\() _ -> Onward ()) ()) of
+  case followedFate (followLeapfrog defaultLeapfrog {leapfrogSteps = rule, leapfrogSkyRadius = 400} Schwarzschild emptyRegion (aimedAt 5) (\() _ -> Onward ()) ()) of
     Escaped d -> d
     _ -> XYZ.zero
 
@@ -115,11 +115,10 @@ fateOf = fateAfter 200000
 
 fateAfter :: Int -> Photon -> Fate
 fateAfter limit photon =
-  followedFate (followLeapfrog defaultLeapfrog {leapfrogStepLimit = limit} Schwarzschild nowhere photon (\() _ -> Onward ()) ())
+  followedFate (followLeapfrog defaultLeapfrog {leapfrogStepLimit = limit} Schwarzschild emptyRegion photon (\() _ -> Onward ()) ())
 
-nowhere, everywhere :: Region
-nowhere = Region 0 (-1) 0 1 1
-everywhere = Region 1e9 1e9 0 1 1
+everywhere :: Region
+everywhere = Region 1e9 0 1e9 0 1 1
 
 oneStep :: Double -> Photon -> Photon
 oneStep dt p = leapfrogStep Schwarzschild (XYZ.normSquared (angularMomentum p)) dt p

@@ -65,7 +65,7 @@ sceneFields =
       `withOption` ("doppler", "on|off"),
     switch Observer "physics.redshift" "Show the shifts by gravity" (shifts (part shiftsGravity (\v s -> s {shiftsGravity = v})))
       `withOption` ("redshift", "on|off"),
-    choice Observer "physics.integrator" "an integrator" integrators "How light is followed: exact (closed-form orbits) or leapfrog" (part sceneIntegrator (\v s -> s {sceneIntegrator = v}))
+    choice Observer "physics.integrator" "an integrator" integrators "How light is followed: table (closed-form orbits, tabulated), exact (the same worked out for each ray, finer steps through the gas, slower) or leapfrog" (part sceneIntegrator (\v s -> s {sceneIntegrator = v}))
       `withOption` ("integrator", "NAME"),
     number Observer "physics.step" (Quantity "a length" (From 1e-5) (UpTo 10) radii) "The leapfrog's base length in Schwarzschild radii" (part sceneStep (\v s -> s {sceneStep = v}))
       `withOption` ("step", "L"),
@@ -123,7 +123,8 @@ sceneFields =
         (Observer.Coordinate, Observer.observerName Observer.Coordinate, "the report's: nobody real")
       ]
     integrators =
-      [ (Exact, integratorName Exact, "closed-form orbits"),
+      [ (Tabulated, integratorName Tabulated, "closed-form orbits, tabulated for the camera's place"),
+        (Exact, integratorName Exact, "closed-form orbits, and finer steps through the gas"),
         (Leapfrogging, integratorName Leapfrogging, "the report's steps")
       ]
     profiles = [(ConstantThickness, "constant", "the same everywhere"), (ConstantOpening, "opening", "in proportion to the distance")]

@@ -1,0 +1,113 @@
+{-# LANGUAGE BangPatterns #-}
+
+-- | Noise for thin things: gradient noise in the plane whose octaves are
+-- tilted against each other in the third dimension.
+--
+-- Each octave is plane noise ("BlackHole.Noise.PerlinG"), drawn out along its own
+-- slanted direction, so that no two heights look alike and yet a value costs
+-- half the corners of noise in space. The plane closes round its first
+-- coordinate: that is the angle of a disk. Everything repeats in the second one
+-- after 'sheetsHeight'.
+--
+-- All lattice points there are fit into a few kilobytes, so each gradient is
+-- hashed once and none ever again.
+module BlackHole.Noise.Sheets
+  ( Sheets,
+    sheets,
+    sheetsHeight,
+    sheetsAmplitudes,
+    sheetsValue,
+  )
+where
+
+import BlackHole.Noise.Lattice (clampedLevel, latticePoint2)
+import BlackHole.Noise.PerlinG (Seed, gradientNumber2, interpolateGradients2, latticeHash2)
+import BlackHole.Numeric.Floor
+import Data.Bits (unsafeShiftL, (.&.))
+import Data.Primitive.PrimArray
+import Data.Word (Word8)
+
+-- | Some octaves of noise.
+data Sheets = Sheets
+  { -- | For each octave: amplitude, and the tilt along both coordinates.
+    sheetsReals :: !(PrimArray Double),
+    -- | Gradient numbers of all octaves, coarse to fine, row by row.
+    sheetsGradients :: !(PrimArray Word8)
+  }
+
+-- | @sheets seed count gain@: noise with eight cells around in the coarsest
+-- octave. Each of the @count@ octaves (0 … 8) is twice as fine as the one
+-- before and @gain@ times as strong; the amplitudes' moduli add up to 1.
+sheets :: Seed -> Int -> Double -> Sheets
+sheets seed count gain =
+  Sheets
+    { sheetsReals = primArrayFromList (concat [[a / total, cos t, sin t] | (a, t) <- zip amplitudes tilts]),
+      sheetsGradients = primArrayFromList (concatMap octave [0 .. octaveCount - 1])
+    }
+  where
+    octaveCount = max 0 (min 8 count)
+    amplitudes = take octaveCount (iterate (* gain) 1)
+    total = max 1e-300 (sum (map abs amplitudes))
+    -- The golden angle apart: no two directions come close.
+    tilts = iterate (+ 2.399963229728653) 0.7
+    octave i =
+      [ fromIntegral (gradientNumber2 (latticeHash2 seed (latticePoint2 (clampedLevel (rowBits + i)) x y)))
+        | y <- [0 .. 2 ^ (rowBits + i) - 1],
+          x <- [0 .. 2 ^ (columnBits + i) - 1]
+      ]
+
+-- | Cells of the coarsest octave: 2^3 around, 2^5 along the second coordinate.
+columnBits, rowBits :: Int
+columnBits = 3
+rowBits = 5
+
+-- | After this many cells of the coarsest octave along the second coordinate
+-- the noise repeats.
+sheetsHeight :: Double
+sheetsHeight = 2 ^ rowBits
+
+-- | The amplitudes, coarse to fine.
+sheetsAmplitudes :: Sheets -> [Double]
+sheetsAmplitudes noise = [indexPrimArray reals i | i <- [0, 3 .. sizeofPrimArray reals - 1]]
+  where
+    reals = sheetsReals noise
+
+-- | @sheetsValue noise count turns v height@: the noise at an angle in turns
+-- (−1 … 1), a second coordinate and a height, both in cells of the coarsest
+-- octave and within ±2^40. Only the first @count@ octaves count, the last of
+-- them by the fraction of @count@. Nothing is allocated.
+sheetsValue :: Sheets -> Double -> Double -> Double -> Double -> Double
+sheetsValue (Sheets reals gradients) !count !turns !v !height = go 0 count 0 1 0
+  where
+    !octaves = sizeofPrimArray reals `quot` 3
+    !u = 8 * turns
+    go :: Int -> Double -> Int -> Double -> Double -> Double
+    go !i !left !first !scale !total
+      | i >= octaves || left <= 0 = total
+      | otherwise =
+        go (i + 1) (left - 1) (first + 1 `unsafeShiftL` (columns + rows)) (2 * scale) $
+          total + weight * layer gradients first columns rows (scale * (u + tiltU * height)) (scale * (v + tiltV * height))
+      where
+        !columns = columnBits + i
+        !rows = rowBits + i
+        amplitude = indexPrimArray reals (3 * i)
+        !weight = if left >= 1 then amplitude else left * amplitude
+        !tiltU = indexPrimArray reals (3 * i + 1)
+        !tiltV = indexPrimArray reals (3 * i + 2)
+
+-- | One octave at a place given in its own cells.
+layer :: PrimArray Word8 -> Int -> Int -> Int -> Double -> Double -> Double
+layer gradients !first !columns !rows !x !y =
+  interpolateGradients2 fx fy at
+  where
+    !(Floor cx fx) = floorOf x
+    !(Floor cy fy) = floorOf y
+    !columnMask = 1 `unsafeShiftL` columns - 1
+    !rowMask = 1 `unsafeShiftL` rows - 1
+    !x0 = cx .&. columnMask
+    !x1 = (cx + 1) .&. columnMask
+    !y0 = first + ((cy .&. rowMask) `unsafeShiftL` columns)
+    !y1 = first + (((cy + 1) .&. rowMask) `unsafeShiftL` columns)
+    at i j = fromIntegral (indexPrimArray gradients ((if i == 0 then x0 else x1) + (if j == 0 then y0 else y1)))
+    {-# INLINE at #-}
+{-# INLINE layer #-}

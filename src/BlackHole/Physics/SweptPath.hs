@@ -1,0 +1,209 @@
+{-# LANGUAGE BangPatterns #-}
+
+-- | Light followed from one passage through the gas to the next.
+--
+-- A path's plane cuts the disk's plane every half turn, at swept angles that
+-- follow from the directions alone. Around each of these crossings lies the
+-- interval in which the path can be among the gas; nothing in between needs to
+-- be looked at. Within an interval the path is a power series
+-- ("BlackHole.Physics.Sweep").
+module BlackHole.Physics.SweptPath
+  ( followSwept,
+    sweepOf,
+  )
+where
+
+import BlackHole.Physics.Angle (arcTangent2)
+import BlackHole.Physics.Fate
+import BlackHole.Physics.LensTable
+import BlackHole.Physics.LightPath
+import BlackHole.Physics.Photon
+import BlackHole.Physics.Spacetime (Spacetime (..), pullOfGravity)
+import BlackHole.Physics.Sweep
+import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^), (^-^))
+import qualified BlackHole.Vector.XYZ as XYZ
+import Data.Maybe (fromMaybe)
+
+-- | The path of a photon of unit energy from a table of its starting place, by
+-- its radial and tangential velocity; a straight line where there is no gravity.
+sweepOf :: Spacetime -> LensTable -> Double -> Double -> Sweep
+sweepOf Schwarzschild table radial tangential = lensSweep table radial tangential
+sweepOf Flat table radial tangential = lineSweep u (negate radial * u / tangential)
+  where
+    u = 1 / lensTableRadius table
+{-# NOINLINE sweepOf #-}
+
+-- | Follow a photon of unit energy ('withUnitEnergy') that starts at the
+-- table's radius to its end. The phase, 0 … 1, is the part of a whole step that
+-- the first stretch in the gas is long: neighbours in a picture should have
+-- different ones, lest they all look at the gas in the same places. Costs one step for each stretch of gas and some
+-- fifty nanoseconds for each crossing.
+followSwept ::
+  Spacetime ->
+  LensTable ->
+  Region ->
+  Double ->
+  Photon ->
+  (a -> Stretch -> Onward a) ->
+  a ->
+  Followed a
+followSwept space table region phase (Photon place velocity) gather = start
+  where
+    !r0 = lensTableRadius table
+    !e1 = (1 / r0) *^ place
+    !radial = XYZ.dot velocity e1
+    !across = velocity ^-^ radial *^ e1
+    -- A photon that moves straight at the hole or away from it sweeps no
+    -- angle; its neighbour within 1e-9 radians does.
+    !tangential = max (1e-9 * XYZ.norm velocity) (XYZ.norm across)
+    !e2 = fromMaybe (XYZ.perpendicular e1) (XYZ.normalize across)
+    !b = r0 * tangential
+    !(Sweep ending lastAngle cellCount waypoints) = sweepOf space table radial tangential
+    !spacing = lastAngle / fromIntegral cellCount
+    !pull = pullOfGravity space
+
+    end !n state = case ending of
+      Leaves c s -> Followed (Escaped (c *^ e1 ^+^ s *^ e2)) state n
+      FallsIn -> Followed Captured state n
+      CirclesOn -> Followed StepLimit state n
+
+    -- The sine of the latitude along the path is sine1 cos φ + sine2 sin φ.
+    !(XYZ _ sine1 _) = e1
+    !(XYZ _ sine2 _) = e2
+    tilt = sqrt (sine1 * sine1 + sine2 * sine2)
+    !flare = regionFlare region
+    !height = regionHalfHeight region
+    uOuter = 1 / regionRadius region
+    uInner = 1 / max 1e-3 (regionInnerRadius region)
+    -- The greatest sine of the gas's latitude where 1/r is u.
+    steepest u = height * u + flare
+    steepestAll = steepest uInner
+
+    start state
+      | height < 0 || regionRadius region <= 0 = end 0 state
+      -- The path stays as close to the plane as the gas does.
+      | steepestAll >= tilt = cells 0 phase 0 lastAngle (1 / 0) state
+      | otherwise = crossing 0 (if firstCrossing - pi + widest < 0 then firstCrossing else firstCrossing - pi) state
+
+    firstCrossing =
+      let angle = negate (arcTangent2 sine1 sine2)
+       in if angle <= 0 then angle + pi else angle
+
+    crossing !n !angle !state
+      | angle - widest > lastAngle = end n state
+      | otherwise =
+        let !cell = cellOf angle
+            !(u, slope) = waypoint waypoints spacing cell
+            !path = expand pull u slope
+            !offset = angle - (fromIntegral cell + 0.5) * spacing
+            !v = expansionValue path offset
+            !reachable = 1.5 * abs (expansionSlope path offset) * widest
+         in if v + reachable < uOuter || v - reachable > uInner
+              then crossing n (angle + pi) state
+              else
+                let half = min widest (arcSine (steepest v / tilt))
+                    refined side = min widest (arcSine (steepest (max 0 (expansionValue path (offset + side))) / tilt))
+                    -- The interval's ends: where the gas's height depends on
+                    -- the radius, from the radius found there.
+                    (before, after)
+                      | height <= 0 || widest > 0.2 = (widest, widest)
+                      | otherwise = (refined (negate half), refined half)
+                 in cells n phase (max 0 (angle - before)) (min lastAngle (angle + after)) (angle + pi) state
+    widest = arcSine (min 1 (steepestAll / tilt))
+
+    cellOf angle = max 0 (min (cellCount - 1) (truncate (angle / spacing)))
+
+    -- Gather between two angles, cell by cell, and go on with the next
+    -- crossing.
+    cells !n !lead !from !to !next !state
+      | from >= to = crossing n next state
+      | otherwise =
+        let !cell = cellOf from
+            !middle = (fromIntegral cell + 0.5) * spacing
+            -- Rounding may leave an angle at the far end of its cell.
+            !upper = if cell == cellCount - 1 then to else min to (max (from + 1e-9) (middle + 0.5 * spacing))
+            !(u, slope) = waypoint waypoints spacing cell
+            !path = expand pull u slope
+            !t0 = from - middle
+            !t1 = upper - middle
+            !u0 = expansionValue path t0
+            !u1 = expansionValue path t1
+            !slope0 = expansionSlope path t0
+            !slope1 = expansionSlope path t1
+            highest
+              | slope0 > 0 && slope1 < 0 = min (u0 + slope0 * (t1 - t0)) (u1 - slope1 * (t1 - t0))
+              | otherwise = max u0 u1
+         in if highest < uOuter || min u0 u1 > uInner
+              then cells n lead upper to next state
+              else
+                let -- Where the path enters the gas's outer radius and where it
+                    -- leaves it, if within the cell.
+                    !begin = if u0 < uOuter && slope0 > 0 then min t1 (reaching path t0) else t0
+                    !final = if u1 < uOuter && slope1 < 0 then max begin (reaching path t1) else t1
+                    !cosine = cos middle
+                    !sine = sin middle
+                    !outward = cosine *^ e1 ^+^ sine *^ e2
+                    !onward = cosine *^ e2 ^-^ sine *^ e1
+                    rate t = rateAt (expansionValue path t) (expansionSlope path t) (latitude t) (climb t)
+                    !(XYZ _ latitude0 _) = outward
+                    !(XYZ _ climb0 _) = onward
+                    latitude t = latitude0 + t * (climb0 - 0.5 * t * latitude0)
+                    climb t = climb0 - t * latitude0
+                    -- The length of a step varies little within a cell, and not
+                    -- knowing it beforehand would make each step wait for the
+                    -- one before.
+                    !turn = 2 / (rate begin + rate final)
+                    -- A last step ends with the gas; one that ends with the cell
+                    -- goes on into the next.
+                    !limit = if upper < to && final >= t1 then 1 / 0 else final
+                 in samples n begin (lead * turn) final limit turn path outward onward upper middle to next state
+
+    -- The curve is concave there, so that Newton's steps never pass the place.
+    reaching path t = step (step (step t))
+      where
+        step x = x + (uOuter - expansionValue path x) / expansionSlope path x
+
+    samples !n !t !wanted !final !limit !turn !path !outward0 !onward0 !upper !middle !to !next !state
+      | t >= final = cells n 1 (max upper (middle + t)) to next state
+      | otherwise =
+        let !step = if limit - t < 1.4 * wanted then limit - t else wanted
+            !tM = t + 0.5 * step
+            !u = expansionValue path tM
+            !slope = expansionSlope path tM
+            !t2 = tM * tM
+            !c = 1 - t2 * (0.5 - t2 * (1 / 24 - t2 * (1 / 720 - t2 * (1 / 40320))))
+            !s = tM * (1 - t2 * (1 / 6 - t2 * (1 / 120 - t2 * (1 / 5040 - t2 * (1 / 362880)))))
+            !outward = c *^ outward0 ^+^ s *^ onward0
+            !onward = c *^ onward0 ^-^ s *^ outward0
+            !(XYZ _ sineLatitude _) = outward
+            goOn = samples (n + 1) (t + step) turn final limit turn path outward0 onward0 upper middle to next
+         in if abs sineLatitude > steepest u || u < uOuter || u > uInner
+              then goOn state
+              else
+                let place' = (1 / u) *^ outward
+                    velocity' = (negate b * slope) *^ outward ^+^ (b * u) *^ onward
+                 in case gather state (Stretch place' velocity' (step / (b * u * u))) of
+                      Onward state' -> goOn state'
+                      Hidden state' -> Followed Opaque state' (n + 1)
+
+    -- How many stretches a radian needs so that neither the length of one
+    -- exceeds the region's fraction of the radius nor its climb that of the half
+    -- height.
+    rateAt u slope sineLatitude climbing =
+      max
+        (sqrt (slope * slope + u * u) / (longest * u))
+        (abs (climbing * room - sineLatitude * height * slope) / (vertical * room * room))
+      where
+        room = steepest u
+    !longest = regionLongestStep region
+    !vertical = regionVerticalStep region
+{-# INLINE followSwept #-}
+
+-- | The arc sine on 0 … 1. Most arguments are small.
+arcSine :: Double -> Double
+arcSine x
+  | x < 0.15 = x * (1 + x2 * (1 / 6 + x2 * (3 / 40 + x2 * (15 / 336))))
+  | otherwise = asin (min 1 x)
+  where
+    x2 = x * x
+{-# INLINE arcSine #-}
