@@ -13,21 +13,22 @@ where
 import BlackHole.Animation.Claim (currentHolder)
 import BlackHole.Animation.Digest
 import BlackHole.Animation.Exposure
+import BlackHole.Animation.Feed
 import BlackHole.Animation.Film
 import BlackHole.Animation.FrameName
 import BlackHole.Animation.Ledger
 import BlackHole.Animation.Progress
 import BlackHole.Animation.Queue
-import BlackHole.Animation.Video
+import BlackHole.Animation.Video (VideoKind)
 import qualified BlackHole.Render.Film as Light
 import BlackHole.Render.Workers (Workers)
 import BlackHole.Scene.Scene
 import Control.Concurrent.MVar (modifyMVar_, newMVar, readMVar)
 import Control.Exception (onException)
-import Control.Monad (forM_, when)
+import Control.Monad (forM_, join, when)
 import qualified Data.ByteString.Lazy as Lazy
-import Data.Either (fromRight, isRight)
-import Data.IORef (IORef, modifyIORef', newIORef, readIORef, writeIORef)
+import Data.Either (fromRight)
+import Data.IORef (newIORef, readIORef, writeIORef)
 import Data.List.NonEmpty (NonEmpty)
 import qualified Data.List.NonEmpty as NonEmpty
 import Data.Maybe (isNothing)
@@ -85,12 +86,13 @@ shoot shooting listen = do
   writeFrameList ledger [(n, digest) | n <- [0 .. filmFrames film - 1], Right digest <- [digestOf n]]
   state <- newMVar (startTally (length frames))
   clock <- newIORef Nothing
-  feed <- startFeed shooting listen
+  feed <- traverse (\(coder, kind, target) -> startFeed coder kind (filmRate film) target (shootingName shooting) frames) (shootingVideo shooting)
+  forM_ (feed >>= feedFault) (listen . Remark . ("the film file cannot be made: " ++))
   let run =
         workThrough ledger patience (begun state clock) (ended state clock feed) (render state clock) $
           [Job n (fromRight (digestText "") (digestOf n)) | n <- frames]
-  outcomes <- run `onException` abandonFeed feed
-  fault <- finishFeed feed
+  outcomes <- run `onException` mapM_ abandonFeed feed
+  fault <- join <$> traverse finishFeed feed
   tally <- readMVar state
   pure (Shot tally [(jobFrame job, outcome) | (job, outcome) <- outcomes] fault)
   where
@@ -113,7 +115,7 @@ shoot shooting listen = do
         Rendered _ -> tally {tallyRendered = tallyRendered tally + 1, tallyPart = 0}
         Elsewhere _ -> tally {tallyElsewhere = tallyElsewhere tally + 1}
         Failed _ -> tally {tallyFailed = tallyFailed tally + 1, tallyPart = 0}
-      feedFrame feed (jobFrame job) outcome
+      forM_ feed $ \video -> feedFrame video (jobFrame job) outcome
     update state clock current change = modifyMVar_ state $ \before -> do
       now <- getMonotonicTime
       started <- readIORef clock
@@ -132,61 +134,3 @@ shoot shooting listen = do
                 listen (Remark ("frame " ++ show (jobFrame job) ++ ": " ++ show count ++ " pixels have no finite radiance, the first at " ++ show x ++ "," ++ show y))
               _ -> pure ()
             Right <$> shootingDevelop shooting (NonEmpty.head scenes) light
-
--- | Frames on their way into the film file.
-data Feed
-  = NoFeed
-  | Feed
-      { feedVideoFile :: !(Either String Video),
-        feedName :: !FrameName,
-        -- | Frames not sent yet, in the film's order.
-        feedLeft :: !(IORef [Int]),
-        -- | Finished ones that wait for one before them.
-        feedReady :: !(IORef [Int]),
-        feedFailed :: !(IORef [Int])
-      }
-
-startFeed :: Shooting -> (Told -> IO ()) -> IO Feed
-startFeed shooting listen = case shootingVideo shooting of
-  Nothing -> pure NoFeed
-  Just (coder, kind, target) -> do
-    started <- startVideo coder kind (filmRate (shootingFilm shooting)) target
-    either (\reason -> listen (Remark ("the film file cannot be made: " ++ reason))) (const (pure ())) started
-    Feed started (shootingName shooting) <$> newIORef (shootingFrames shooting) <*> newIORef [] <*> newIORef []
-
-feedFrame :: Feed -> Int -> Outcome -> IO ()
-feedFrame NoFeed _ _ = pure ()
-feedFrame feed frame outcome = do
-  case outcome of
-    WasDone -> modifyIORef' (feedReady feed) (frame :)
-    Rendered _ -> modifyIORef' (feedReady feed) (frame :)
-    _ -> modifyIORef' (feedFailed feed) (frame :)
-  advance
-  where
-    advance = do
-      left <- readIORef (feedLeft feed)
-      ready <- readIORef (feedReady feed)
-      case left of
-        next : later | next `elem` ready -> do
-          writeIORef (feedLeft feed) later
-          writeIORef (feedReady feed) (filter (/= next) ready)
-          forM_ (feedVideoFile feed) $ \video -> feedVideo video (frameFile (feedName feed) next)
-          advance
-        _ -> pure ()
-
--- | Why there is no film file.
-finishFeed :: Feed -> IO (Maybe String)
-finishFeed NoFeed = pure Nothing
-finishFeed feed = do
-  failed <- readIORef (feedFailed feed)
-  case feedVideoFile feed of
-    Left reason -> pure (Just reason)
-    Right video
-      | null failed -> either Just (const Nothing) <$> finishVideo video
-      | otherwise -> do
-        abandonVideo video
-        pure (Just ("frames " ++ frameRanges (reverse failed) ++ " are missing"))
-
-abandonFeed :: Feed -> IO ()
-abandonFeed NoFeed = pure ()
-abandonFeed feed = when (isRight (feedVideoFile feed)) $ forM_ (feedVideoFile feed) abandonVideo
