@@ -77,7 +77,9 @@ magic = "blackhole tile 1"
 
 -- | A tile file that has been looked at, and where its light begins.
 data TileFile = TileFile
-  { tileFilePath :: !FilePath,
+  { -- | Where it is.
+    tileFilePath :: !FilePath,
+    -- | What it says of itself.
     tileFileHeader :: !TileHeader,
     tileFileStart :: !Integer
   }
