@@ -2,6 +2,7 @@
 module Main (main) where
 
 import Criterion.Main (defaultMain)
+import qualified FilmBench
 import qualified FrameBench
 import qualified LightBench
 import qualified NoiseBench
@@ -15,5 +16,6 @@ main =
       OrbitBench.benchmarks,
       PathBench.benchmarks,
       LightBench.benchmarks,
-      FrameBench.benchmarks
+      FrameBench.benchmarks,
+      FilmBench.benchmarks
     ]

@@ -19,8 +19,10 @@ ghc=/usr/bin/ghc
 # shellcheck disable=SC2034
 program_packages='ghc libghc-async-dev libghc-conduit-dev
   libghc-cryptohash-sha256-dev libghc-juicypixels-dev libghc-libyaml-dev
-  libghc-optparse-applicative-dev libghc-primitive-dev libghc-vector-dev'
-test_packages='libghc-hspec-dev libghc-quickcheck2-dev libghc-temporary-dev'
+  libghc-optparse-applicative-dev libghc-primitive-dev libghc-terminal-size-dev
+  libghc-vector-dev'
+test_packages='libghc-hspec-dev libghc-quickcheck2-dev libghc-temporary-dev
+  libghc-zlib-dev'
 bench_packages='libghc-criterion-dev'
 
 # All talk goes to standard error: standard output may be a picture's.

@@ -18,6 +18,7 @@ import qualified BlackHole.Cli.JoinSpec
 import qualified BlackHole.Cli.JsonSpec
 import qualified BlackHole.Cli.OptionsSpec
 import qualified BlackHole.Cli.PhotonSpec
+import qualified BlackHole.Cli.PreviewSpec
 import qualified BlackHole.Cli.RaysSpec
 import qualified BlackHole.Cli.RunSpec
 import qualified BlackHole.Cli.SelfTestSpec
@@ -26,13 +27,19 @@ import qualified BlackHole.Figure.RasterSpec
 import qualified BlackHole.Figure.RayFanSpec
 import qualified BlackHole.Figure.SvgSpec
 import qualified BlackHole.Image.AtomicFileSpec
+import qualified BlackHole.Image.DeflateSpec
+import qualified BlackHole.Image.FileSpec
 import qualified BlackHole.Image.GoldenSpec
+import qualified BlackHole.Image.PngSpec
 import qualified BlackHole.Image.TileFileSpec
 import qualified BlackHole.Light.BlackBodySpec
 import qualified BlackHole.Light.BlackBodyTableSpec
 import qualified BlackHole.Light.CieSpec
 import qualified BlackHole.Light.DisplaySpec
+import qualified BlackHole.Light.DitherSpec
+import qualified BlackHole.Light.GamutSpec
 import qualified BlackHole.Light.RadianceSpec
+import qualified BlackHole.Light.ToneMapSpec
 import qualified BlackHole.Noise.LatticeSpec
 import qualified BlackHole.Noise.PerlinGSpec
 import qualified BlackHole.Noise.ProfileSpec
@@ -49,11 +56,13 @@ import qualified BlackHole.Physics.OrbitSpec
 import qualified BlackHole.Physics.PathReportSpec
 import qualified BlackHole.Physics.RedshiftSpec
 import qualified BlackHole.Physics.ThinDiskSpec
+import qualified BlackHole.Render.BloomSpec
 import qualified BlackHole.Render.FilmSpec
 import qualified BlackHole.Render.PixelArraySpec
 import qualified BlackHole.Render.PixelRowsSpec
 import qualified BlackHole.Render.PixelShapeSpec
 import qualified BlackHole.Render.ShardSpec
+import qualified BlackHole.Render.SharedSpec
 import qualified BlackHole.Render.WorkersSpec
 import qualified BlackHole.Scene.CameraSpec
 import qualified BlackHole.Scene.File.SceneFileSpec
@@ -69,6 +78,7 @@ import qualified BlackHole.Trace.SkySpec
 import qualified BlackHole.Vector.XYSpec
 import qualified BlackHole.Vector.XYZSpec
 import qualified ProgramSpec
+import qualified Support.DifferenceSpec
 import Test.Hspec
 
 main :: IO ()
@@ -90,6 +100,7 @@ main = hspec $ do
   describe "BlackHole.Cli.Json" BlackHole.Cli.JsonSpec.spec
   describe "BlackHole.Cli.Options" BlackHole.Cli.OptionsSpec.spec
   describe "BlackHole.Cli.Photon" BlackHole.Cli.PhotonSpec.spec
+  describe "BlackHole.Cli.Preview" BlackHole.Cli.PreviewSpec.spec
   describe "BlackHole.Cli.Rays" BlackHole.Cli.RaysSpec.spec
   describe "BlackHole.Cli.Run" BlackHole.Cli.RunSpec.spec
   describe "BlackHole.Cli.SelfTest" BlackHole.Cli.SelfTestSpec.spec
@@ -98,13 +109,19 @@ main = hspec $ do
   describe "BlackHole.Figure.RayFan" BlackHole.Figure.RayFanSpec.spec
   describe "BlackHole.Figure.Svg" BlackHole.Figure.SvgSpec.spec
   describe "BlackHole.Image.AtomicFile" BlackHole.Image.AtomicFileSpec.spec
+  describe "BlackHole.Image.Deflate" BlackHole.Image.DeflateSpec.spec
+  describe "BlackHole.Image.File" BlackHole.Image.FileSpec.spec
   describe "BlackHole.Image.Golden" BlackHole.Image.GoldenSpec.spec
+  describe "BlackHole.Image.Png" BlackHole.Image.PngSpec.spec
   describe "BlackHole.Image.TileFile" BlackHole.Image.TileFileSpec.spec
   describe "BlackHole.Light.BlackBody" BlackHole.Light.BlackBodySpec.spec
   describe "BlackHole.Light.BlackBodyTable" BlackHole.Light.BlackBodyTableSpec.spec
   describe "BlackHole.Light.Cie" BlackHole.Light.CieSpec.spec
   describe "BlackHole.Light.Display" BlackHole.Light.DisplaySpec.spec
+  describe "BlackHole.Light.Dither" BlackHole.Light.DitherSpec.spec
+  describe "BlackHole.Light.Gamut" BlackHole.Light.GamutSpec.spec
   describe "BlackHole.Light.Radiance" BlackHole.Light.RadianceSpec.spec
+  describe "BlackHole.Light.ToneMap" BlackHole.Light.ToneMapSpec.spec
   describe "BlackHole.Noise.Lattice" BlackHole.Noise.LatticeSpec.spec
   describe "BlackHole.Noise.PerlinG" BlackHole.Noise.PerlinGSpec.spec
   describe "BlackHole.Noise.Profile" BlackHole.Noise.ProfileSpec.spec
@@ -121,11 +138,13 @@ main = hspec $ do
   describe "BlackHole.Physics.PathReport" BlackHole.Physics.PathReportSpec.spec
   describe "BlackHole.Physics.Redshift" BlackHole.Physics.RedshiftSpec.spec
   describe "BlackHole.Physics.ThinDisk" BlackHole.Physics.ThinDiskSpec.spec
+  describe "BlackHole.Render.Bloom" BlackHole.Render.BloomSpec.spec
   describe "BlackHole.Render.Film" BlackHole.Render.FilmSpec.spec
   describe "BlackHole.Render.PixelArray" BlackHole.Render.PixelArraySpec.spec
   describe "BlackHole.Render.PixelRows" BlackHole.Render.PixelRowsSpec.spec
   describe "BlackHole.Render.PixelShape" BlackHole.Render.PixelShapeSpec.spec
   describe "BlackHole.Render.Shard" BlackHole.Render.ShardSpec.spec
+  describe "BlackHole.Render.Shared" BlackHole.Render.SharedSpec.spec
   describe "BlackHole.Render.Workers" BlackHole.Render.WorkersSpec.spec
   describe "BlackHole.Scene.Camera" BlackHole.Scene.CameraSpec.spec
   describe "BlackHole.Scene.File.SceneFile" BlackHole.Scene.File.SceneFileSpec.spec
@@ -141,3 +160,4 @@ main = hspec $ do
   describe "BlackHole.Vector.XY" BlackHole.Vector.XYSpec.spec
   describe "BlackHole.Vector.XYZ" BlackHole.Vector.XYZSpec.spec
   describe "Program" ProgramSpec.spec
+  describe "Support.Difference" Support.DifferenceSpec.spec

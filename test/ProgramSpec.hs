@@ -26,6 +26,13 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
       listDirectory folder `shouldReturn` ["hole.png"]
       decoded <- decodePng <$> Bytes.readFile (folder </> "hole.png")
       fmap (dynamicMap (\image -> (imageWidth image, imageHeight image))) decoded `shouldBe` Right (32, 18)
+  it "draws a picture in letters where there is no terminal, and writes no file" $
+    inFolder $ \folder -> do
+      (code, text, _) <- program [("LC_ALL", "C")] folder ["render", "--preview", "--samples", "1"]
+      code `shouldBe` ExitSuccess
+      listDirectory folder `shouldReturn` []
+      (length (lines text), map length (lines text)) `shouldSatisfy` \(count, widths) ->
+        null text || (count == 22 && all (== 80) widths)
   it "repeats an argument in letters outside ASCII where no locale is set" $
     inFolder $ \folder -> do
       (code, _, message) <- program [("LC_ALL", "C")] folder ["render", "--preset", "größe"]

@@ -9,10 +9,8 @@ module Support.Golden
 where
 
 import Codec.Picture
-import Control.Monad (unless)
 import qualified Data.ByteString.Lazy as Lazy
-import qualified Data.Vector.Storable as Vector
-import System.Directory (createDirectoryIfMissing)
+import Support.Difference
 import System.Environment (lookupEnv)
 import System.FilePath ((<.>), (</>))
 import Test.Hspec
@@ -26,26 +24,8 @@ shouldMatchGolden actual name = do
     _ -> do
       kept <- readImage golden
       case (convertRGB8 <$> kept, convertRGB8 <$> decodePng (Lazy.toStrict actual)) of
-        (Right old, Right new) | size old == size new -> compareCodes old new
         (Left problem, _) -> expectationFailure problem
         (_, Left problem) -> expectationFailure problem
-        (Right old, Right new) ->
-          expectationFailure (name ++ ": the size is " ++ show (size new) ++ ", not " ++ show (size old))
+        (Right old, Right new) -> shouldResemble name (Limits 0.4 255 (1 / 200) 2) old new
   where
     golden = "test" </> "golden" </> name <.> "png"
-    size picture = (imageWidth picture, imageHeight picture)
-    compareCodes :: Image PixelRGB8 -> Image PixelRGB8 -> Expectation
-    compareCodes old new = do
-      let differences = Vector.zipWith difference (imageData old) (imageData new)
-          count = Vector.length (Vector.filter (> 2) differences)
-          allowed = Vector.length differences `quot` 200
-      unless (count <= allowed) $ do
-        createDirectoryIfMissing True "test-output"
-        Lazy.writeFile ("test-output" </> name <.> "png") actual
-        expectationFailure $
-          name ++ ": " ++ show count ++ " codes differ by more than 2 (allowed: "
-            ++ show allowed
-            ++ "), the greatest difference is "
-            ++ show (Vector.maximum differences)
-            ++ "; the picture is in test-output"
-    difference a b = abs (fromIntegral a - fromIntegral b :: Int)

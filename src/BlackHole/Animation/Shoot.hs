@@ -47,8 +47,9 @@ data Shooting = Shooting
     shootingVideo :: !(Maybe (FilePath, VideoKind, FilePath)),
     -- | A text that is equal for equal scenes, and says which program this is.
     shootingText :: !(Scene -> String),
-    -- | The file of a frame, from its (first) scene and its light.
-    shootingDevelop :: !(Scene -> Light.Film -> IO Lazy.ByteString)
+    -- | The file of a frame, from its (first) scene and its light; 'Nothing' if
+    -- its format has no room for the picture.
+    shootingDevelop :: !(Scene -> Light.Film -> IO (Maybe Lazy.ByteString))
   }
 
 -- | What the listener hears of.
@@ -133,4 +134,4 @@ shoot shooting listen = do
               (count, Just (x, y)) ->
                 listen (Remark ("frame " ++ show (jobFrame job) ++ ": " ++ show count ++ " pixels have no finite radiance, the first at " ++ show x ++ "," ++ show y))
               _ -> pure ()
-            Right <$> shootingDevelop shooting (NonEmpty.head scenes) light
+            maybe (Left "its format has no room for so large a picture") Right <$> shootingDevelop shooting (NonEmpty.head scenes) light

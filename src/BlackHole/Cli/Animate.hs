@@ -19,8 +19,10 @@ import BlackHole.Animation.Queue (Outcome (..))
 import BlackHole.Animation.Shoot
 import BlackHole.Animation.Status
 import BlackHole.Animation.Video
+import BlackHole.Cli.CodingOptions (codingOptions)
 import BlackHole.Cli.FilmScene (frameFaults, maximumFaults)
 import BlackHole.Cli.Read
+import BlackHole.Image.Coding (Coding)
 import qualified BlackHole.Render.Film as Light
 import BlackHole.Render.Shard
 import BlackHole.Render.Workers
@@ -30,7 +32,7 @@ import Control.Concurrent (myThreadId, throwTo)
 import Control.Exception (AsyncException (UserInterrupt), IOException, bracket, try)
 import Control.Monad (unless, when)
 import qualified Data.ByteString.Lazy as Lazy
-import Data.Char (isDigit)
+import Data.Char (isDigit, toLower)
 import Data.Foldable (fold)
 import Data.IORef (newIORef, readIORef, writeIORef)
 import Data.List (intercalate)
@@ -39,6 +41,7 @@ import GHC.Clock (getMonotonicTime)
 import Options.Applicative
 import System.Directory (doesDirectoryExist)
 import System.Environment (getEnvironment)
+import System.FilePath (takeExtension)
 import System.IO (hFlush, hIsTerminalDevice, hPutStr, hPutStrLn, stderr)
 import System.Posix.Signals (Handler (Catch), installHandler, sigTERM)
 import Text.Read (readMaybe)
@@ -48,6 +51,7 @@ data AnimateOptions scene = AnimateOptions
   { animateScene :: !scene,
     -- | The frames' files, as 'parseFrameName' reads them.
     animateOutput :: !String,
+    animateCoding :: !Coding,
     -- | First and last frame; without a last one, all from the first on.
     animateFrames :: !(Maybe (Int, Maybe Int)),
     animateRate :: !(Maybe Double),
@@ -76,6 +80,7 @@ animateOptions scene =
   AnimateOptions
     <$> scene
     <*> settingOr "frames/%05d.png" (strOption (long "output" <> short 'o' <> metavar "PATTERN" <> help "Frames' files, with a place for their number (default: frames/%05d.png)"))
+    <*> codingOptions
     <*> setting (option frameRange (long "frames" <> metavar "A-B" <> help "Only these frames, counted from 0: A, A- or A-B"))
     <*> setting (option number (long "fps" <> metavar "F" <> help "Frames per second; the film lasts as long as before"))
     <*> setting (option number (long "duration" <> metavar "SECONDS" <> help "Length of the film"))
@@ -144,7 +149,7 @@ runFilm ::
   AnimateOptions scene ->
   (String -> IO ()) ->
   (Scene -> String) ->
-  (Workers -> Scene -> Light.Film -> IO Lazy.ByteString) ->
+  (Workers -> Scene -> Light.Film -> IO (Maybe Lazy.ByteString)) ->
   Film ->
   IO Ending
 runFilm options say text develop film = do
@@ -167,6 +172,7 @@ runFilm options say text develop film = do
     usage =
       [Problem "--video" ("'" ++ file ++ "'") ("a file name that ends in one of " ++ intercalate ", " videoExtensions) | Just file <- [animateVideo options], Nothing <- [videoKind file]]
         ++ [Problem "--video" "a part of a film" "possible: make the film file with a run of all its frames, those that are done are not rendered again" | Just _ <- [animateVideo options], Just _ <- [animateShard options]]
+        ++ [Problem "--video" ("with frames in files like '" ++ animateOutput options ++ "'") "possible; name them .png" | map toLower (takeExtension (animateOutput options)) /= ".png", Just _ <- [animateVideo options]]
         ++ [Problem "--threads" (show n) ("a whole number from 1 to " ++ show maximumWorkers) | Just n <- [animateThreads options], Nothing <- [workers n]]
         ++ [Problem "--frames" (show from) ("a frame of a film of " ++ show (filmFrames film)) | Just (from, _) <- [animateFrames options], from >= filmFrames film]
         ++ [Problem "--stale-after" (show (animatePatience options)) "a number of seconds from 1 on" | isNaN (animatePatience options) || animatePatience options < 1]

@@ -6,30 +6,37 @@ module BlackHole.Cli.Join
   ( JoinOptions (..),
     joinOptions,
     tilePart,
-    tileExtension,
     tileHeader,
+    tileProblems,
+    tileNameProblems,
     openTiles,
   )
 where
 
+import BlackHole.Cli.CodingOptions (codingOptions)
 import BlackHole.Cli.Read
+import BlackHole.Image.Coding (Coding)
 import BlackHole.Image.TileFile
 import BlackHole.Render.Shard
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.File.SceneFile (printScene)
+import BlackHole.Scene.Problem
 import BlackHole.Scene.Resolve
 import BlackHole.Scene.Scene
 import Control.Exception (IOException, try)
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Lazy as Lazy
+import Data.Char (toLower)
 import Data.Either (partitionEithers)
 import Options.Applicative
+import System.FilePath (takeExtension)
 import System.IO.Error (ioeGetErrorString)
 
 -- | The options of @blackhole join@.
 data JoinOptions = JoinOptions
   { joinTiles :: ![FilePath],
     joinOutput :: !FilePath,
+    joinCoding :: !Coding,
     joinThreads :: !(Maybe Int)
   }
   deriving (Eq, Show)
@@ -39,7 +46,8 @@ joinOptions :: Parser JoinOptions
 joinOptions =
   JoinOptions
     <$> some (strArgument (metavar "TILE..." <> help "Tile files, in any order"))
-    <*> settingOr "blackhole.png" (strOption (long "output" <> short 'o' <> metavar "FILE" <> help "PNG file to write (default: blackhole.png)"))
+    <*> settingOr "blackhole.png" (strOption (long "output" <> short 'o' <> metavar "FILE" <> help "File to write: .png, .jpg, .tif, .hdr or .exr (default: blackhole.png)"))
+    <*> codingOptions
     <*> setting (option wholeNumber (long "threads" <> metavar "N" <> help "Workers (default: one per core)"))
 
 -- | A part of a picture, @I\/N@.
@@ -47,7 +55,6 @@ tilePart :: ReadM Shard
 tilePart = eitherReader $ \text ->
   maybe (Left ("'" ++ text ++ "' is not I/N with I from 1 to N")) Right (parseShard text)
 
--- | What tile files' names end in.
 tileExtension :: String
 tileExtension = ".tile"
 
@@ -58,6 +65,18 @@ tileHeader program part scene =
     printScene [program] scene
   where
     Picture width height = scenePicture scene
+
+-- | What is wrong with such a part of a picture.
+tileProblems :: Shard -> Picture -> [Problem]
+tileProblems part (Picture _ height) =
+  [Problem "--tile" (renderShard part) ("a part of a picture of " ++ show height ++ " rows") | shardCount part > height]
+
+-- | What is wrong with a tile file's name.
+tileNameProblems :: FilePath -> [Problem]
+tileNameProblems output =
+  [ Problem "--output" ("'" ++ output ++ "'") ("a file name that ends in " ++ tileExtension)
+    | map toLower (takeExtension output) /= tileExtension
+  ]
 
 -- | The scene of some tile files and the files themselves, or a line for
 -- everything for which they can't be joined. Reads all of them once.

@@ -8,6 +8,7 @@ module BlackHole.Cli.Options
 where
 
 import BlackHole.Cli.Animate (AnimateOptions, animateOptions)
+import BlackHole.Cli.CodingOptions (codingOptions)
 import BlackHole.Cli.Join (JoinOptions, joinOptions, tilePart)
 import BlackHole.Cli.Photon (PhotonOptions, photonOptions)
 import BlackHole.Cli.Rays (RaysOptions, raysOptions)
@@ -15,6 +16,7 @@ import BlackHole.Cli.Read
 import BlackHole.Cli.SceneCommand (SceneCommand, sceneCommand)
 import BlackHole.Cli.SceneOptions (SceneOptions, sceneOptions)
 import BlackHole.Cli.SelfTest (SelfTestOptions, selfTestOptions)
+import BlackHole.Image.Coding (Coding)
 import BlackHole.Render.Shard (Shard)
 import Options.Applicative
 import Options.Applicative.Help (renderHelp, unChunk)
@@ -42,6 +44,11 @@ data Command
 data RenderOptions = RenderOptions
   { -- | What the scene is made of.
     renderScene :: !SceneOptions,
+    -- | A picture of this program that says what scene to start from.
+    renderFrom :: !(Maybe FilePath),
+    renderCoding :: !Coding,
+    -- | Draw in the terminal instead of writing a file.
+    renderPreview :: !Bool,
     renderThreads :: !(Maybe Int),
     renderPixel :: !(Maybe (Int, Int)),
     renderTile :: !(Maybe Shard),
@@ -83,7 +90,7 @@ commandLine version =
         command
           "render"
           ( info (Render <$> renderOptions) $
-              progDesc "Render one picture to a PNG file: of a scene file, if one is given, and with the options in the place of its settings."
+              progDesc "Render one picture to a file: of a scene file, if one is given, and with the options in the place of its settings."
                 <> footer "Example: blackhole render --width 1280 --inclination 75 --fov 40 -o hole.png"
           )
           <> command
@@ -128,7 +135,10 @@ renderOptions :: Parser RenderOptions
 renderOptions =
   RenderOptions
     <$> sceneOptions
+    <*> setting (strOption (long "from" <> metavar "PICTURE" <> help "Picture of this program whose scene to start from, in the place of a scene file"))
+    <*> codingOptions
+    <*> toggle (long "preview" <> help "Draw the picture in the terminal, as large as that is, instead of writing a file")
     <*> setting (option wholeNumber (long "threads" <> metavar "N" <> help "Workers (default: one per core); the picture is the same for any number"))
     <*> setting (option pixelPlace (long "pixel" <> metavar "X,Y" <> help "Explain the colour of one pixel instead of rendering; 0,0 is the top left"))
     <*> setting (option tilePart (long "tile" <> metavar "I/N" <> help "Render a band of the picture, part I of N, into a tile file (-o FILE.tile) for blackhole join"))
-    <*> settingOr "blackhole.png" (strOption (long "output" <> short 'o' <> metavar "FILE" <> help "PNG file to write (default: blackhole.png)"))
+    <*> settingOr "blackhole.png" (strOption (long "output" <> short 'o' <> metavar "FILE" <> help "File to write: .png, .jpg, .tif, .hdr or .exr (default: blackhole.png)"))

@@ -14,16 +14,21 @@ import BlackHole.Cli.FilmScene (loadFilm)
 import BlackHole.Cli.Join
 import BlackHole.Cli.Options
 import BlackHole.Cli.Photon
+import BlackHole.Cli.Preview
 import BlackHole.Cli.Rays
 import BlackHole.Cli.SceneCommand (SceneCommand (..), sceneText)
-import BlackHole.Cli.SceneOptions (SceneOptions, loadScene)
+import BlackHole.Cli.SceneOptions
 import BlackHole.Cli.SelfTest (runSelfTest)
 import BlackHole.Image.AtomicFile
-import BlackHole.Image.Png (encodePicture)
+import BlackHole.Image.Coding
+import BlackHole.Image.File (fileLabel)
+import BlackHole.Image.Finish
+import BlackHole.Image.Label
 import BlackHole.Image.TileFile
+import BlackHole.Render.Bloom
 import BlackHole.Render.Film
 import BlackHole.Render.PixelArray (backendName)
-import BlackHole.Render.Shard (Shard (..), renderShard, shardRows)
+import BlackHole.Render.Shard (shardRows)
 import BlackHole.Render.Workers
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.File.SceneFile (printScene)
@@ -31,15 +36,19 @@ import BlackHole.Scene.Scene
 import BlackHole.Scene.Validate
 import BlackHole.SelfTest.Check (Check, checkHolds)
 import BlackHole.Trace.Explain (explainPixel)
-import Control.Exception (SomeAsyncException (..), SomeException, displayException, fromException, throwIO, try)
+import Control.Applicative ((<|>))
+import Control.Exception (IOException, SomeAsyncException (..), SomeException, displayException, fromException, throwIO, try)
 import Control.Monad (void)
+import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
-import Data.Char (toLower)
+import Data.List (intercalate)
 import Data.Version (showVersion)
 import qualified Paths_blackhole as Package
+import qualified System.Console.Terminal.Size as Terminal
+import System.Environment (getEnvironment)
 import System.Exit (ExitCode (..))
-import System.FilePath (takeExtension)
-import System.IO (hIsTerminalDevice, hPutStr, hPutStrLn, stderr)
+import System.IO (hIsTerminalDevice, hPutStr, hPutStrLn, stderr, stdout)
+import System.IO.Error (ioeGetErrorString)
 import System.Info (compilerName, compilerVersion)
 
 -- | How a run ended.
@@ -132,59 +141,65 @@ render :: RenderOptions -> IO ExitStatus
 render options
   | problem : problems <- usageProblems = complainAll UsageError (problem : problems)
   | otherwise = do
-    resolved <- loadScene (renderScene options)
+    resolved <- renderedScene options
     case resolved of
       Left problems -> BadInput <$ mapM_ (complain BadInput) problems
-      Right scene | Just pixel <- renderPixel options -> case pixelProblem scene of
-        [] -> explain scene pixel
-        problems -> complainAll BadInput problems
-      Right scene | problems@(_ : _) <- tileProblems scene -> complainAll UsageError problems
-      Right scene -> do
-        crew <- maybe defaultWorkers pure (workers =<< renderThreads options)
-        writable <- checkWritable output
-        case writable of
-          Left problem -> complain CannotWrite ("--output: " ++ renderWriteProblem problem)
-          Right () -> withWorkers crew (renderTo crew scene)
+      Right (scene, coding)
+        | Just pixel <- renderPixel options -> case pixelProblems (scenePicture scene) pixel of
+          [] -> explain scene pixel
+          problems -> complainAll BadInput problems
+        | renderPreview options -> withCrew (`preview` scene)
+        | Just part <- renderTile options -> case tileProblems part (scenePicture scene) of
+          [] -> ready (\crew -> tileTo crew part scene)
+          problems -> complainAll UsageError problems
+        | otherwise -> case formatOf output of
+          Just format -> case codingProblems format coding of
+            [] -> ready (\crew -> renderTo crew format coding scene)
+            problems -> complainAll UsageError problems
+          Nothing -> complainAll UsageError [unknownExtension]
   where
-    pixelProblem scene = foldMap (pixelProblems (scenePicture scene)) (renderPixel options)
     output = renderOutput options
+    withCrew = inCrew (renderThreads options)
+    ready action = do
+      writable <- checkWritable output
+      case writable of
+        Left problem -> complain CannotWrite ("--output: " ++ renderWriteProblem problem)
+        Right () -> withCrew action
+    unknownExtension = unknownExtensionOf output
     usageProblems =
-      [ Problem "--output" ("'" ++ output ++ "'") ("a file name that ends in " ++ extension)
-        | map toLower (takeExtension output) /= extension
-      ]
+      (if null (renderTile options) then [unknownExtension | Nothing <- [formatOf output]] else tileNameProblems output)
         ++ [ Problem "--threads" (show n) ("a whole number from 1 to " ++ show maximumWorkers)
              | Just n <- [renderThreads options],
                Nothing <- [workers n]
            ]
-    tileProblems scene =
-      [ Problem "--tile" (renderShard part) ("a part of a picture of " ++ show height ++ " rows")
-        | let height = pictureHeight (scenePicture scene),
-          Just part <- [renderTile options],
-          shardCount part > height
-      ]
-    extension = maybe ".png" (const tileExtension) (renderTile options)
-    renderTo crew scene = do
+        ++ [ Problem "--from" (show from) "possible beside a scene file; choose either"
+             | Just from <- [renderFrom options],
+               Just _ <- [sceneFile (renderScene options)]
+           ]
+    renderTo crew format coding scene = do
       interactive <- hIsTerminalDevice stderr
-      let (first, rows) = maybe (0, pictureHeight (scenePicture scene)) (`shardRows` pictureHeight (scenePicture scene)) (renderTile options)
+      let rows = pictureHeight (scenePicture scene)
+      exposed <- exposeFilm crew (if interactive then tellProgress rows else const (pure ())) scene
+      case exposed of
+        Nothing -> untraceable
+        Just film -> do
+          warnOfFaults 0 film
+          finishFilm crew programName format coding scene [] film >>= maybe (complain CannotWrite (noRoom output)) (store output)
+    tileTo crew part scene = do
+      interactive <- hIsTerminalDevice stderr
+      let (first, rows) = shardRows part (pictureHeight (scenePicture scene))
       exposed <- exposeRows crew (if interactive then tellProgress rows else const (pure ())) scene (first, rows)
       case exposed of
-        Nothing -> complain InternalFault "the scene passed its checks but can't be traced"
-        Just film -> do
-          case faultyPixels film of
-            (n, Just (x, y)) ->
-              hPutStrLn stderr ("blackhole: warning: " ++ show n ++ " pixels have no finite radiance, the first at " ++ show x ++ "," ++ show (first + y))
-            _ -> pure ()
-          file <- case renderTile options of
-            Nothing -> Just <$> pictureFile crew scene film
-            Just part -> pure (encodeTile (tileHeader programName part scene) film)
-          case file of
-            Nothing -> complain InternalFault "the tile's rows are not those of the scene"
-            Just bytes -> store output bytes
+        Nothing -> untraceable
+        Just band -> do
+          warnOfFaults first band
+          maybe untraceable (store output) (encodeTile (tileHeader programName part scene) band)
 
--- | The file of a whole film of light.
-pictureFile :: Workers -> Scene -> Film -> IO Lazy.ByteString
-pictureFile crew scene light =
-  encodePicture programName <$> developFilm crew (sceneExposure scene) (sceneToneMap scene) light
+-- | Run an action with as many workers as were asked for.
+inCrew :: Maybe Int -> (Workers -> IO a) -> IO a
+inCrew threads action = do
+  crew <- maybe defaultWorkers pure (workers =<< threads)
+  withWorkers crew (action crew)
 
 -- | Write the file that @--output@ names.
 store :: FilePath -> Lazy.ByteString -> IO ExitStatus
@@ -194,37 +209,110 @@ store output bytes = do
     Left problem -> complain CannotWrite ("--output: " ++ renderWriteProblem problem)
     Right () -> pure Done
 
+unknownExtensionOf :: FilePath -> Problem
+unknownExtensionOf output =
+  Problem "--output" ("'" ++ output ++ "'") ("a file name that ends in " ++ intercalate ", " (map fst formatExtensions))
+
+codingProblems :: Format -> Coding -> [Problem]
+codingProblems format coding = [Problem option value range | (option, value, range) <- codingProblem format coding]
+
+noRoom :: FilePath -> String
+noRoom output = "--output: " ++ output ++ ": this format has no room for so large a picture"
+
 -- | The picture that tiles make together.
 join :: JoinOptions -> IO ExitStatus
-join options = do
-  joined <- openTiles (joinTiles options)
-  case joined of
-    Left problems -> BadInput <$ mapM_ (complain BadInput) problems
-    Right (scene, tiles) -> do
-      crew <- maybe defaultWorkers pure (workers =<< joinThreads options)
-      light <- readPictureRows tiles (0, pictureHeight (scenePicture scene))
-      case light of
-        Nothing -> complain BadInput "a tile has changed while it was read"
-        Just film -> withWorkers crew (pictureFile crew scene film >>= store (joinOutput options))
+join options = case (formatOf output, joinCoding options) of
+  (Nothing, _) -> complainAll UsageError [unknownExtensionOf output]
+  (Just format, coding)
+    | problems@(_ : _) <- codingProblems format coding -> complainAll UsageError problems
+    | otherwise -> do
+      joined <- openTiles (joinTiles options)
+      case joined of
+        Left problems -> BadInput <$ mapM_ (complain BadInput) problems
+        Right (scene, tiles) -> do
+          light <- readPictureRows tiles (0, pictureHeight (scenePicture scene))
+          case light of
+            Nothing -> complain BadInput "a tile has changed while it was read"
+            Just film -> inCrew (joinThreads options) $ \crew ->
+              finishFilm crew programName format coding scene [] film >>= maybe (complain CannotWrite (noRoom output)) (store output)
+  where
+    output = joinOutput options
 
 -- | A film's frames, or what a folder of them lacks.
 animate :: AnimateOptions SceneOptions -> IO ExitStatus
-animate options = case animateStatus options of
-  Just folder -> endStatus <$> showStatus say (animatePatience options) folder
-  Nothing -> do
-    loaded <- loadFilm (animateScene options)
-    case loaded of
-      Left problems -> BadInput <$ mapM_ say problems
-      Right Nothing -> complain BadInput "a film needs a scene file with a section animation (see docs/animation.md)"
-      Right (Just film) -> endStatus <$> runFilm options say (printScene [programName]) pictureFile (adjustFilm options film)
+animate options = case (animateStatus options, formatOf (animateOutput options)) of
+  (Just folder, _) -> endStatus <$> showStatus say (animatePatience options) folder
+  (_, Nothing) -> complainAll UsageError [unknownExtensionOf (animateOutput options)]
+  (_, Just format)
+    | problems@(_ : _) <- codingProblems format coding -> complainAll UsageError problems
+    | otherwise -> do
+      loaded <- loadFilm (animateScene options)
+      case loaded of
+        Left problems -> BadInput <$ mapM_ say problems
+        Right Nothing -> complain BadInput "a film needs a scene file with a section animation (see docs/animation.md)"
+        Right (Just film) -> endStatus <$> runFilm options say describe (develop format) (adjustFilm options film)
   where
     say line = void (complain Done line)
+    coding = animateCoding options
+    describe = printScene [programName ++ ", " ++ show coding]
+    develop format crew scene = finishFilm crew programName format coding scene []
     endStatus ending = case ending of
       Complete -> Done
       Incomplete -> Unfinished
       WrongArguments -> UsageError
       WrongFilm -> BadInput
       CannotStart -> CannotWrite
+
+-- | The scene that is asked for, and how its file is to be coded: as the options
+-- say, or else as the picture was that the scene is taken from.
+renderedScene :: RenderOptions -> IO (Either [String] (Scene, Coding))
+renderedScene options = case renderFrom options of
+  Nothing -> fmap (coded asked) <$> loadScene (renderScene options)
+  Just path -> do
+    outcome <- try (Bytes.readFile path)
+    pure $ case outcome of
+      Left failure -> Left [path ++ ": can't be read: " ++ ioeGetErrorString (failure :: IOException)]
+      Right bytes -> case fileLabel bytes of
+        Nothing -> Left [path ++ ": this is no picture that blackhole made: it does not say of which scene"]
+        Just label -> do
+          scene <- resolveScene (renderScene options) {sceneFile = Just path} (Just (labelScene label))
+          -- Another format has other bits.
+          let before
+                | formatOf path == formatOf (renderOutput options) = labelCoding label
+                | otherwise = defaultCoding
+          pure (coded (Coding (codingBits asked <|> codingBits before) (codingQuality asked <|> codingQuality before)) scene)
+  where
+    coded coding scene = (scene, coding)
+    asked = renderCoding options
+
+-- | The picture as text on standard output.
+preview :: Workers -> Scene -> IO ExitStatus
+preview crew scene = do
+  isTerminal <- hIsTerminalDevice stdout
+  environment <- getEnvironment
+  window <- Terminal.size
+  let (columns, textLines) = maybe (80, 24) (\(Terminal.Window h w) -> (w, h)) window
+      Picture width height = scenePicture scene
+      (across, down) = previewSize columns textLines (width, height)
+  exposed <- exposeFilm crew (const (pure ())) scene {scenePicture = Picture across down}
+  case exposed of
+    Nothing -> untraceable
+    Just film -> do
+      warnOfFaults 0 film
+      bloomed <- bloomFilm crew (sceneBloom scene) film
+      codes <- developFilm crew (sceneExposure scene) (sceneToneMap scene) (sceneDither scene) bloomed
+      Done <$ putStr (previewText (palette isTerminal environment) codes)
+
+untraceable :: IO ExitStatus
+untraceable = complain InternalFault "the scene passed its checks but can't be traced"
+
+-- | Warn of pixels without light that could be shown, in a film whose first row is
+-- this one of the picture.
+warnOfFaults :: Int -> Film -> IO ()
+warnOfFaults first film = case faultyPixels film of
+  (n, Just (x, y)) ->
+    hPutStrLn stderr ("blackhole: warning: " ++ show n ++ " pixels have no finite radiance, the first at " ++ show x ++ "," ++ show (first + y))
+  _ -> pure ()
 
 -- | Something about scenes, on standard output.
 scenes :: SceneCommand -> IO ExitStatus
@@ -241,7 +329,7 @@ scenes task = do
 explain :: Scene -> (Int, Int) -> IO ExitStatus
 explain scene (x, y) = case explainPixel scene x y of
   Just explanation -> Done <$ mapM_ putStrLn (explanationLines scene explanation)
-  Nothing -> complain InternalFault "the scene passed its checks but can't be traced"
+  Nothing -> untraceable
 
 -- | How much is done, on one line that is cleared at the end.
 tellProgress :: Int -> Int -> IO ()

@@ -1,23 +1,175 @@
--- | PNG coding of developed pictures.
+{-# LANGUAGE BangPatterns #-}
+
+-- | PNG coding of developed pictures (ISO/IEC 15948), by several workers.
+--
+-- Every row is filtered by taking the pixel to its left from each pixel, which
+-- is within a few per cent of the best filter for each row of a rendered
+-- picture. Strips of rows are compressed independently of each other
+-- ("BlackHole.Image.Deflate") and become one zlib stream.
 module BlackHole.Image.Png
-  ( encodePicture,
+  ( Codes (..),
+    encodePng,
+    pngLabel,
   )
 where
 
+import BlackHole.Image.Bytes
+import BlackHole.Image.Checksum
+import BlackHole.Image.Deflate
+import BlackHole.Image.Label
 import BlackHole.Render.PixelArray (PixelArray, pixelArrayShape, toPixelVector)
-import BlackHole.Render.PixelShape (shapeHeight, shapeWidth)
-import Codec.Picture (Image (..), PixelRGB8)
-import Codec.Picture.Metadata (Keys (..), singleton)
-import Codec.Picture.Png (encodePngWithMetadata)
+import BlackHole.Render.PixelShape
+import BlackHole.Render.Shared (mapShared)
+import BlackHole.Render.Workers (Workers)
+import Data.Bits (complement, shiftR, xor, (.&.), (.|.))
+import Data.ByteString (ByteString)
+import qualified Data.ByteString as Bytes
+import Data.ByteString.Builder (Builder)
+import qualified Data.ByteString.Builder as Builder
+import qualified Data.ByteString.Char8 as Characters
+import Data.ByteString.Internal (unsafeCreate)
 import qualified Data.ByteString.Lazy as Lazy
-import Data.Word (Word8)
+import qualified Data.Vector.Storable as Vector
+import Data.Word (Word16, Word64, Word8)
+import Foreign.Marshal.Alloc (allocaBytes)
+import Foreign.Ptr (Ptr, plusPtr)
+import Foreign.Storable (Storable, peekByteOff, pokeByteOff)
 
--- | An 8-bit RGB PNG of a three-channel array, without a time stamp: equal
--- pixels give equal bytes.
-encodePicture :: String -> PixelArray Word8 -> Lazy.ByteString
-encodePicture software codes =
-  encodePngWithMetadata
-    (singleton Software software)
-    (Image (shapeWidth shape) (shapeHeight shape) (toPixelVector codes) :: Image PixelRGB8)
+-- | Developed pixels of three channels.
+data Codes
+  = Codes8 !(PixelArray Word8)
+  | Codes16 !(PixelArray Word16)
+
+-- | An RGB PNG with its label, marked as sRGB, without a time: equal pixels give
+-- equal bytes, for any number of workers. About 15 ns a pixel, and three times
+-- that in 16 bits.
+encodePng :: Workers -> Label -> Codes -> IO Lazy.ByteString
+encodePng crew label codes = do
+  strips <- mapShared crew (pure . compressedStrip codes) (stripsOf (codesShape codes) (codeBytes codes))
+  let (sums, pieces) = unzip [(total, piece) | Strip total piece <- strips]
+      body = (zlibHeader : pieces) ++ [zlibTrailer (mconcat sums)]
+  pure . Builder.toLazyByteString $
+    Builder.byteString signature
+      <> chunk "IHDR" (strict header)
+      -- The signal is sRGB, to be shown as it is (perceptual intent).
+      <> chunk "sRGB" (Bytes.singleton 0)
+      <> chunk "tEXt" (Bytes.concat [Characters.pack "Software\0", Characters.pack (labelSoftware label)])
+      -- Not compressed, of no language.
+      <> chunk "iTXt" (Bytes.concat [sceneKeyword, Characters.pack "\0\0\0\0\0", labelText label])
+      <> chunk "IDAT" (Bytes.concat body)
+      <> chunk "IEND" Bytes.empty
   where
-    shape = pixelArrayShape codes
+    shape = codesShape codes
+    header =
+      Builder.word32BE (fromIntegral (shapeWidth shape))
+        <> Builder.word32BE (fromIntegral (shapeHeight shape))
+        -- RGB, the only compression and filtering, no interlace.
+        <> foldMap Builder.word8 [8 * fromIntegral (codeBytes codes), 2, 0, 0, 0]
+
+-- | The label of a PNG file that this program wrote.
+pngLabel :: ByteString -> Maybe Label
+pngLabel bytes = Bytes.stripPrefix signature bytes >>= go
+  where
+    go rest = do
+      size <- bigEndian 4 0 rest
+      name <- slice 4 4 rest
+      content <- slice 8 size rest
+      case Bytes.stripPrefix sceneKeyword content of
+        Just text | name == Characters.pack "iTXt" -> parseLabel (Bytes.drop 5 text)
+        _ -> go (Bytes.drop (12 + size) rest)
+
+signature :: ByteString
+signature = Bytes.pack [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]
+
+sceneKeyword :: ByteString
+sceneKeyword = Characters.pack "blackhole scene"
+
+codesShape :: Codes -> PixelShape
+codesShape (Codes8 pixels) = pixelArrayShape pixels
+codesShape (Codes16 pixels) = pixelArrayShape pixels
+
+codeBytes :: Codes -> Int
+codeBytes (Codes8 _) = 1
+codeBytes (Codes16 _) = 2
+
+chunk :: String -> ByteString -> Builder
+chunk name content =
+  Builder.word32BE (fromIntegral (Bytes.length content))
+    <> Builder.byteString named
+    <> Builder.word32BE (crc32 named)
+  where
+    named = Characters.pack name <> content
+
+-- | Rows from one to before another, and whether they are the last.
+data Rows = Rows !Int !Int !Place
+
+-- | Of about 256 KiB, so that there is work for many and little is lost at the
+-- seams.
+stripsOf :: PixelShape -> Int -> [Rows]
+stripsOf shape bytes = go 0
+  where
+    height = shapeHeight shape
+    rows = max 1 (262144 `quot` (shapeRowLength shape * bytes))
+    go row
+      | row + rows >= height = [Rows row height Last]
+      | otherwise = Rows row (row + rows) Inside : go (row + rows)
+
+-- | A strip's check sum and its compressed bytes.
+data Strip = Strip !Adler32 !ByteString
+
+compressedStrip :: Codes -> Rows -> Strip
+compressedStrip codes (Rows from to place) = Strip (adler32 filtered) (deflatePiece place filtered)
+  where
+    rowLength = shapeRowLength (codesShape codes)
+    rowBytes = rowLength * codeBytes codes
+    filtered = unsafeCreate ((rowBytes + 1) * (to - from)) $ \out -> case codes of
+      Codes8 pixels -> eachRow pixels out (filterRow 3 rowBytes)
+      Codes16 pixels -> allocaBytes rowBytes $ \swapped ->
+        eachRow pixels out $ \row filteredRow -> do
+          highFirst rowLength row swapped
+          filterRow 6 rowBytes swapped filteredRow
+    eachRow :: Storable e => PixelArray e -> Ptr Word8 -> (Ptr Word8 -> Ptr Word8 -> IO ()) -> IO ()
+    eachRow pixels out act = Vector.unsafeWith (toPixelVector pixels) $ \start ->
+      mapM_ (\i -> act (start `plusPtr` (rowBytes * (from + i))) (out `plusPtr` ((rowBytes + 1) * i))) [0 .. to - from - 1]
+
+-- | Words of 16 bits with the higher byte first, as PNG has them.
+highFirst :: Int -> Ptr Word8 -> Ptr Word8 -> IO ()
+highFirst count from to = mapM_ swapped [0 .. count - 1]
+  where
+    swapped i = do
+      word <- peekByteOff from (2 * i) :: IO Word16
+      pokeByteOff to (2 * i) (fromIntegral (word `shiftR` 8) :: Word8)
+      pokeByteOff to (2 * i + 1) (fromIntegral word :: Word8)
+
+-- | @filterRow pixel size row out@: the filter's number, then every byte less
+-- the one a pixel before it (modulo 256), eight at a time.
+filterRow :: Int -> Int -> Ptr Word8 -> Ptr Word8 -> IO ()
+filterRow !pixel !size !row !out = do
+  pokeByteOff out 0 (1 :: Word8)
+  mapM_ (\i -> at i >>= put i) [0 .. min pixel size - 1]
+  eights pixel
+  where
+    at :: Int -> IO Word8
+    at = peekByteOff row
+    put i = pokeByteOff out (i + 1)
+    eights !i
+      | i + 8 > size = singles i
+      | otherwise = do
+        a <- peekByteOff row i
+        b <- peekByteOff row (i - pixel)
+        pokeByteOff out (i + 1) (byteDifferences a b)
+        eights (i + 8)
+    singles !i
+      | i >= size = pure ()
+      | otherwise = do
+        a <- at i
+        b <- at (i - pixel)
+        put i (a - b)
+        singles (i + 1)
+
+-- | Eight differences of bytes, none of which borrows from its neighbour.
+byteDifferences :: Word64 -> Word64 -> Word64
+byteDifferences a b = ((a .|. high) - (b .&. complement high)) `xor` ((a `xor` complement b) .&. high)
+  where
+    high = 0x8080808080808080
+{-# INLINE byteDifferences #-}

@@ -21,6 +21,7 @@ module BlackHole.Light.BlackBody
 where
 
 import BlackHole.Light.Cie
+import BlackHole.Light.Gamut (desaturateIntoGamut)
 import BlackHole.Light.Radiance
 import Numeric (expm1)
 
@@ -67,7 +68,8 @@ unmappedColour = radianceOfXyz . blackBodyXyz
 
 -- | The colour at luminance 1 in linear Rec. 709, without negative amounts:
 -- below 1900 K, where the locus leaves the triangle of the primaries, it is
--- desaturated at constant luminance and hue ('desaturateIntoGamut').
+-- brought into it at constant luminance and hue; below 890 K, where it is redder
+-- than any display, it becomes the display's red ('desaturateIntoGamut').
 blackBodyColour :: Double -> Radiance
 blackBodyColour = desaturateIntoGamut . unmappedColour
 

@@ -16,7 +16,7 @@ module BlackHole.Light.BlackBodyTable
 where
 
 import BlackHole.Light.BlackBody
-import BlackHole.Light.Cie
+import BlackHole.Light.Gamut (desaturateIntoGamut)
 import BlackHole.Light.Radiance
 import qualified Data.Vector.Unboxed as U
 import Numeric (expm1, log1p)

@@ -7,7 +7,6 @@ module BlackHole.Light.Cie
     chromaticityXy,
     radianceOfXyz,
     xyzOfRadiance,
-    desaturateIntoGamut,
   )
 where
 
@@ -60,7 +59,7 @@ chromaticityXy (Xyz x y z)
 
 -- | XYZ to linear Rec. 709 with its D65 white at (0.3127, 0.3290), by the
 -- matrix that follows from the primaries of BT.709. A colour outside the
--- triangle of the primaries has a negative amount: see 'desaturateIntoGamut'.
+-- triangle of the primaries has a negative amount: see 'BlackHole.Light.Gamut.desaturateIntoGamut'.
 radianceOfXyz :: Xyz -> Radiance
 radianceOfXyz (Xyz x y z) =
   Radiance
@@ -77,28 +76,6 @@ xyzOfRadiance (Radiance r g b) =
     (0.21263900587151036 * r + 0.7151686787677559 * g + 0.07219231536073371 * b)
     (0.01933081871559185 * r + 0.11919477979462599 * g + 0.9505321522496606 * b)
 {-# INLINE xyzOfRadiance #-}
-
--- | The nearest colour that a display has, on the way to white: the luminance
--- and the direction from the white point (the dominant wavelength) stay as
--- they are, and the saturation falls until the most negative amount is zero.
--- Clipping that amount alone would change the hue. Colours without negative
--- amounts are returned as they are; light without a positive luminance has no
--- such neighbour and becomes 'black'. NaN stays NaN.
-desaturateIntoGamut :: Radiance -> Radiance
-desaturateIntoGamut colour@(Radiance r g b)
-  | least >= 0 = colour
-  | y <= 0 = black
-  | otherwise = mapRadiance towardsWhite colour
-  where
-    least = min r (min g b)
-    y = luminance colour
-    saturation = y / (y - least)
-    -- Zero itself for the least amount: the formula would leave it at the
-    -- rounding error, on either side.
-    towardsWhite c
-      | c <= least = 0
-      | otherwise = y + saturation * (c - y)
-{-# INLINE desaturateIntoGamut #-}
 
 wavelengthCount :: Int
 wavelengthCount = U.length matchingFunctions `div` 3

@@ -1,6 +1,7 @@
--- | From linear radiance to what a display is told, in three separate steps:
--- exposure, tone curve, sRGB coding (IEC 61966-2-1). Nothing here depends on
--- any other pixel, so equal light always gives equal bytes.
+-- | From linear radiance to what a display is told, in separate steps: exposure,
+-- tone map ("BlackHole.Light.ToneMap"), sRGB coding (IEC 61966-2-1), dither
+-- ("BlackHole.Light.Dither"). Nothing here depends on any other pixel's light, so
+-- equal light at the same place always gives equal bytes.
 module BlackHole.Light.Display
   ( Exposure (..),
     expose,
@@ -10,12 +11,22 @@ module BlackHole.Light.Display
     encodeSrgb,
     decodeSrgb,
     quantise,
+    Developer,
+    developer,
+    developSignal,
+    Signal (..),
+    ditheredCode,
     displayCode,
+    fineCode,
   )
 where
 
+import BlackHole.Light.Dither
+import BlackHole.Light.Gamut (fitGamut)
 import BlackHole.Light.Radiance
-import Data.Word (Word8)
+import BlackHole.Light.ToneMap
+import qualified Data.Vector.Unboxed as U
+import Data.Word (Word16, Word8)
 
 -- | Exposure in stops: each doubles the light; 0 leaves it alone.
 newtype Exposure = Exposure {exposureStops :: Double}
@@ -25,40 +36,6 @@ newtype Exposure = Exposure {exposureStops :: Double}
 expose :: Exposure -> Radiance -> Radiance
 expose (Exposure stops) = scaleRadiance (2 ** stops)
 {-# INLINE expose #-}
-
--- | How exposed light above display white is brought into range.
-data ToneMap
-  = -- | Not at all: what fits is shown as it is, and what does not keeps its
-    -- hue and loses saturation on its way to white ('fitGamut').
-    ToneNone
-  | -- | The response of a photographic emulsion, @1 − e^{−x}@ per primary:
-    -- proportional in the shadows, rolling off softly to white.
-    ToneFilm
-  deriving (Eq, Show, Read, Enum, Bounded)
-
--- | The name on the command line.
-toneMapName :: ToneMap -> String
-toneMapName ToneNone = "none"
-toneMapName ToneFilm = "film"
-
--- | Bring exposed light into 0…1 for each primary.
-applyToneMap :: ToneMap -> Radiance -> Radiance
-applyToneMap ToneNone = fitGamut
-applyToneMap ToneFilm = mapRadiance (\x -> 1 - exp (negate (max 0 x)))
-{-# INLINE applyToneMap #-}
-
--- | Clip to 0…1 without turning the hue: a colour that is too bright for the
--- display is mixed with the white of its own luminance until it fits. Clipping
--- each primary alone would turn bright orange into yellow.
-fitGamut :: Radiance -> Radiance
-fitGamut light@(Radiance r g b)
-  | peak <= 1 = positive
-  | y >= 1 = grey 1
-  | otherwise = mapRadiance (\x -> min 1 (y + (x - y) * (1 - y) / (peak - y))) positive
-  where
-    positive = mapRadiance (max 0) light
-    peak = max r (max g b)
-    y = luminance positive
 
 -- | Linear 0…1 to the sRGB signal 0…1.
 encodeSrgb :: Double -> Double
@@ -79,14 +56,107 @@ decodeSrgb s
 quantise :: Double -> Word8
 quantise s
   | s >= 1 = 255
-  | s > 0 = fromIntegral (truncate (s * 255 + 0.5) :: Int)
+  | s > 0 = ditheredCode 0.5 s
   | otherwise = 0
 {-# INLINE quantise #-}
 
--- | All three steps for one pixel: red, green and blue codes.
-displayCode :: Exposure -> ToneMap -> Radiance -> (Word8, Word8, Word8)
-displayCode exposure tone light = (code r, code g, code b)
+-- | @ditheredCode threshold signal@: 'quantise' that rounds up from another part
+-- of a step than one half. The signal lies within 0…1, the threshold above 0 and
+-- below 1.
+ditheredCode :: Double -> Double -> Word8
+ditheredCode threshold s = fromIntegral (truncate (s * 255 + threshold) :: Int)
+{-# INLINE ditheredCode #-}
+
+-- | A signal 0…1 to the nearest of 65536 codes, with the same ends.
+fineCode :: Double -> Word16
+fineCode s
+  | s >= 1 = 65535
+  | s > 0 = fromIntegral (truncate (s * 65535 + 0.5) :: Int)
+  | otherwise = 0
+{-# INLINE fineCode #-}
+
+-- | Three sRGB signals, each 0…1.
+data Signal
+  = Signal
+      {-# UNPACK #-} !Double
+      {-# UNPACK #-} !Double
+      {-# UNPACK #-} !Double
+  deriving (Eq, Show)
+
+-- | Exposure, tone map and coding, prepared: both curves are tabulated over the
+-- square roots of light, where they are nearly straight.
+data Developer
+  = -- | The factor of the exposure and the tone map's curve, root to root.
+    Curved !Double !Double (Double -> Double) !(U.Vector Double)
+  | -- | The factor alone.
+    Fitted !Double
+
+-- | Prepare; about a millisecond, shared by all pixels.
+developer :: Exposure -> ToneMap -> Developer
+developer (Exposure stops) tone = case toneCurve tone of
+  Nothing -> Fitted factor
+  Just (ToneCurve inset curve) ->
+    let root u = sqrt (curve (u * u))
+     in Curved factor inset root (U.generate (curveNodes + 2) (\i -> root (curveReach * fromIntegral i / fromIntegral curveNodes)))
   where
-    Radiance r g b = applyToneMap tone (expose exposure light)
-    code = quantise . encodeSrgb
+    factor = 2 ** stops
+
+-- | The signals for some radiance: within 2e-6 of the exact functions'. About
+-- 20 ns. Negative amounts and NaN count as none.
+developSignal :: Developer -> Radiance -> Signal
+developSignal prepared light = case prepared of
+  Fitted factor ->
+    let Radiance r g b = fitGamut (scaleRadiance factor light) in coded (sqrt r) (sqrt g) (sqrt b)
+  Curved factor inset root table ->
+    let Radiance r g b = keepingHue inset (tabulated root table) (scaleRadiance factor light) in coded r g b
+  where
+    coded r g b = Signal (codedRoot r) (codedRoot g) (codedRoot b)
+{-# INLINE developSignal #-}
+
+-- | The curve between nodes; beyond the table, the curve itself.
+tabulated :: (Double -> Double) -> U.Vector Double -> Double -> Double
+tabulated root table u
+  | u < curveReach = interpolated table (u * (fromIntegral curveNodes / curveReach))
+  | otherwise = root u
+{-# INLINE tabulated #-}
+
+-- | The sRGB signal of linear light from its root, 0…1 but for the last digit;
+-- 0 for NaN.
+codedRoot :: Double -> Double
+codedRoot u
+  | u > 0 = interpolated signalTable (u * fromIntegral signalNodes)
+  | otherwise = 0
+{-# INLINE codedRoot #-}
+
+-- | At a place from 0 to the table's last but one node.
+interpolated :: U.Vector Double -> Double -> Double
+interpolated table place = a + (place - fromIntegral node) * (U.unsafeIndex table (node + 1) - a)
+  where
+    node = truncate place :: Int
+    a = U.unsafeIndex table node
+{-# INLINE interpolated #-}
+
+signalTable :: U.Vector Double
+signalTable = U.generate (signalNodes + 2) (\i -> let u = fromIntegral i / fromIntegral signalNodes in encodeSrgb (u * u))
+{-# NOINLINE signalTable #-}
+
+signalNodes :: Int
+signalNodes = 2048
+
+curveNodes :: Int
+curveNodes = 4096
+
+-- | The root of the brightest light in the table, 36 times display white.
+curveReach :: Double
+curveReach = 6
+
+-- | All steps for one pixel in a column and row: red, green and blue codes.
+displayCode :: Developer -> Dither -> Int -> Int -> Radiance -> (Word8, Word8, Word8)
+displayCode prepared dither column row light =
+  (ditheredCode (threshold 0) r, ditheredCode (threshold 1) g, ditheredCode (threshold 2) b)
+  where
+    Signal r g b = developSignal prepared light
+    threshold channel = case dither of
+      NoDither -> 0.5
+      BlueNoise -> ditherThreshold channel column row
 {-# INLINE displayCode #-}

@@ -6,12 +6,14 @@ module BlackHole.Render.Film
     exposeFilm,
     exposeRows,
     developFilm,
+    developFilmFinely,
     filmRadiance,
     faultyPixels,
   )
 where
 
-import BlackHole.Light.Display (Exposure, ToneMap, displayCode)
+import BlackHole.Light.Display
+import BlackHole.Light.Dither (Dither)
 import BlackHole.Light.Radiance
 import BlackHole.Render.PixelArray
 import BlackHole.Render.PixelRows (mapRows, pixelChannels)
@@ -25,7 +27,7 @@ import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as Vector
 import Data.Vector.Storable.Mutable (MVector)
 import qualified Data.Vector.Storable.Mutable as MVector
-import Data.Word (Word8)
+import Data.Word (Word16, Word8)
 
 -- | Linear radiance in three channels, row by row from the top.
 type Film = PixelArray Float
@@ -62,20 +64,39 @@ traceRow traced !width !row pixels = go 0
         MVector.unsafeWrite pixels (3 * column + 2) (realToFrac b)
         go (column + 1)
 
--- | What an 8-bit sRGB display is told: exposure, tone map and coding.
-developFilm :: Workers -> Exposure -> ToneMap -> Film -> IO (PixelArray Word8)
-developFilm workers exposure tone = mapRows workers (const developRow)
+-- | What an 8-bit sRGB display is told: exposure, tone map, coding and dither.
+developFilm :: Workers -> Exposure -> ToneMap -> Dither -> Film -> IO (PixelArray Word8)
+developFilm workers exposure tone dither = mapRows workers developRow
   where
-    developRow :: Vector Float -> MVector s Word8 -> ST s ()
+    !prepared = developer exposure tone
+    developRow :: Int -> Vector Float -> MVector s Word8 -> ST s ()
+    developRow !row light codes = go 0 0
+      where
+        go !column !i
+          | i >= Vector.length light = pure ()
+          | isBlackAt light i = go (column + 1) (i + 3)
+          | otherwise = do
+            let (r, g, b) = displayCode prepared dither column row (radianceAt light i)
+            MVector.unsafeWrite codes i r
+            MVector.unsafeWrite codes (i + 1) g
+            MVector.unsafeWrite codes (i + 2) b
+            go (column + 1) (i + 3)
+
+-- | The same in 16 bits, which need no dither.
+developFilmFinely :: Workers -> Exposure -> ToneMap -> Film -> IO (PixelArray Word16)
+developFilmFinely workers exposure tone = mapRows workers (const developRow)
+  where
+    !prepared = developer exposure tone
+    developRow :: Vector Float -> MVector s Word16 -> ST s ()
     developRow light codes = go 0
       where
         go !i
           | i >= Vector.length light = pure ()
           | otherwise = do
-            let (r, g, b) = displayCode exposure tone (radianceAt light i)
-            MVector.unsafeWrite codes i r
-            MVector.unsafeWrite codes (i + 1) g
-            MVector.unsafeWrite codes (i + 2) b
+            let Signal r g b = developSignal prepared (radianceAt light i)
+            MVector.unsafeWrite codes i (fineCode r)
+            MVector.unsafeWrite codes (i + 1) (fineCode g)
+            MVector.unsafeWrite codes (i + 2) (fineCode b)
             go (i + 3)
 
 -- | The radiance of the pixel in a column and a row; 'Nothing' outside.
@@ -98,3 +119,11 @@ radianceAt light i = Radiance (at 0) (at 1) (at 2)
   where
     at k = realToFrac (Vector.unsafeIndex light (i + k))
 {-# INLINE radianceAt #-}
+
+-- | Whether there is no light at all, as in much of the sky. Its codes are zero,
+-- which is what arrays begin as.
+isBlackAt :: Vector Float -> Int -> Bool
+isBlackAt light i = at 0 == 0 && at 1 == 0 && at 2 == 0
+  where
+    at k = Vector.unsafeIndex light (i + k)
+{-# INLINE isBlackAt #-}

@@ -10,6 +10,7 @@ module BlackHole.Scene.Preset
 where
 
 import BlackHole.Light.Display (Exposure (..), ToneMap (..))
+import BlackHole.Light.Dither (Dither (..))
 import BlackHole.Physics.Angle (Degrees (..))
 import BlackHole.Physics.Observer (Observer (..))
 import BlackHole.Physics.Spacetime (Spacetime (..))
@@ -61,6 +62,8 @@ defaultScene =
       sceneSamples = 4,
       sceneExposure = Exposure 0,
       sceneToneMap = ToneFilm,
+      sceneDither = BlueNoise,
+      sceneBloom = 0,
       sceneSeed = 0
     }
 
@@ -83,5 +86,6 @@ reportScene =
       sceneSky = SkyNoise reportStars,
       sceneSamples = 1,
       sceneExposure = Exposure (-1.2),
-      sceneToneMap = ToneNone
+      sceneToneMap = ToneNone,
+      sceneDither = NoDither
     }

@@ -9,6 +9,7 @@ module BlackHole.Scene.Scene
 where
 
 import BlackHole.Light.Display (Exposure, ToneMap)
+import BlackHole.Light.Dither (Dither)
 import BlackHole.Physics.Leapfrog
 import BlackHole.Physics.LightPath (Region, emptyRegion)
 import BlackHole.Physics.Observer (Observer)
@@ -39,6 +40,10 @@ data Scene = Scene
     sceneSamples :: !Int,
     sceneExposure :: !Exposure,
     sceneToneMap :: !ToneMap,
+    -- | Whether codes of 8 bits are dithered.
+    sceneDither :: !Dither,
+    -- | The part of the light that the lens scatters, 0…1.
+    sceneBloom :: !Double,
     -- | Seed of all noise and of the sampling.
     sceneSeed :: !Word64
   }

@@ -87,7 +87,7 @@ data Shown = Shown
   { shownExposed :: !Radiance,
     -- | Linear, each amount within 0…1.
     shownToneMapped :: !Radiance,
-    -- | 8-bit sRGB.
+    -- | 8-bit sRGB, without bloom, which needs the rest of the picture.
     shownCodes :: !(Word8, Word8, Word8)
   }
   deriving (Eq, Show)
@@ -110,7 +110,7 @@ explainPixel scene column row
               | index <- [0 .. sceneSamples scene - 1]
             ],
           explainedRadiance = radiance,
-          explainedShown = shownAs scene radiance
+          explainedShown = shownAs scene column row radiance
         }
   where
     Picture width height = scenePicture scene
@@ -153,12 +153,12 @@ arrival scene traced point sight@(SightLine photon observed) =
 
 -- | The steps from radiance to codes, by way of the film, which keeps single
 -- precision.
-shownAs :: Scene -> Radiance -> Shown
-shownAs scene radiance =
+shownAs :: Scene -> Int -> Int -> Radiance -> Shown
+shownAs scene column row radiance =
   Shown
     { shownExposed = exposed,
       shownToneMapped = applyToneMap (sceneToneMap scene) exposed,
-      shownCodes = displayCode (sceneExposure scene) (sceneToneMap scene) onFilm
+      shownCodes = displayCode (developer (sceneExposure scene) (sceneToneMap scene)) (sceneDither scene) column row onFilm
     }
   where
     onFilm = mapRadiance single radiance

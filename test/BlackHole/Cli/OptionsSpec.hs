@@ -4,7 +4,8 @@ import BlackHole.Cli.Options
 import BlackHole.Cli.Photon (PhotonOptions (..))
 import BlackHole.Cli.Rays (RaysOptions (..))
 import BlackHole.Cli.SceneOptions (resolveScene)
-import BlackHole.Light.Display (Exposure (..))
+import BlackHole.Light.Display (Exposure (..), ToneMap (..))
+import BlackHole.Light.Dither (Dither (..))
 import BlackHole.Physics.Angle
 import BlackHole.Physics.Observer
 import BlackHole.Physics.Spacetime
@@ -35,6 +36,9 @@ spec = do
     fmap sceneExposure (scene ["--exposure", "-.5"]) `shouldBe` Right (Exposure (-0.5))
   it "the last of an option given repeatedly counts" $
     fmap scenePicture (scene ["--width", "640", "--no-disk", "--width", "320", "--no-disk"]) `shouldBe` Right (Picture 320 180)
+  it "sets the film" $
+    fmap (\s -> (sceneToneMap s, sceneDither s, sceneBloom s)) (scene ["--tone-map", "agx", "--dither", "off", "--bloom", ".1"])
+      `shouldBe` Right (ToneAgx, NoDither, 0.1)
   it "names are taken in any case" $
     fmap sceneObserver (scene ["--observer", "Falling"]) `shouldBe` Right Falling
   it "switches gravity and gas off" $

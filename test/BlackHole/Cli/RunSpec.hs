@@ -1,10 +1,13 @@
 module BlackHole.Cli.RunSpec (spec) where
 
 import BlackHole.Cli.Run
+import BlackHole.Image.File (fileLabel)
+import BlackHole.Image.Label (Label (..))
 import BlackHole.Light.Radiance (luminance)
 import qualified BlackHole.Light.Radiance as Radiance
 import Codec.Picture
 import qualified Data.ByteString as Bytes
+import qualified Data.ByteString.Char8 as Characters
 import System.Directory (listDirectory)
 import System.Exit (ExitCode (..))
 import System.FilePath ((</>))
@@ -41,6 +44,31 @@ spec = do
         one <- picture 1
         two <- picture 2
         two `shouldBe` one
+    it "renders a picture of any format again from the picture, byte for byte" $
+      inFolder $ \folder -> do
+        let file name = folder </> name
+            again (extension, more) = do
+              let first = file ("first" ++ extension)
+                  second = file ("second" ++ extension)
+              codes <-
+                mapM
+                  run
+                  [ ["render", "--width", "24", "--samples", "2", "--seed", "5", "--bloom", "0.1", "--tone-map", "agx", "-o", first] ++ more,
+                    ["render", "--from", first, "-o", second]
+                  ]
+              same <- (==) <$> Bytes.readFile first <*> Bytes.readFile second
+              pure (codes, same)
+        mapM again [(".png", []), (".png", ["--bits", "16"]), (".jpg", ["--quality", "40"]), (".tif", ["--bits", "32"]), (".hdr", []), (".exr", ["--bits", "32"])]
+          `shouldReturn` replicate 6 ([ExitSuccess, ExitSuccess], True)
+    it "takes the scene of a picture of another format, and options on top" $
+      inFolder $ \folder -> do
+        let png = folder </> "a.png"
+            exr = folder </> "b.exr"
+        codes <- mapM run [["render", "--width", "24", "--bits", "16", "-o", png], ["render", "--from", png, "--seed", "9", "-o", exr]]
+        codes `shouldBe` [ExitSuccess, ExitSuccess]
+        text <- maybe "" (Characters.unpack . labelScene) . fileLabel <$> Bytes.readFile exr
+        lines text `shouldContain` ["  seed: 9"]
+        lines text `shouldContain` ["  width: 24"]
   describe "bad input" $ do
     fails 2 ["render", "--width", "many"]
     fails 2 ["render", "--no-such-option"]
@@ -54,6 +82,12 @@ spec = do
     fails 3 ["render", "--preset", "nothing"]
     fails 2 ["render", "--threads", "0"]
     fails 2 ["render", "-o", "picture.bmp"]
+    fails 2 ["render", "--bits", "9"]
+    fails 2 ["render", "--quality", "0"]
+    fails 2 ["render", "--from", "a.png", "b.yaml"]
+    fails 3 ["render", "--from", "/no/such/picture.png"]
+    fails 3 ["render", "--from", "/dev/null"]
+    fails 3 ["render", "--bloom", "1.5"]
     fails 4 ["render", "--width", "16", "-o", "/no/such/folder/picture.png"]
   where
     inFolder = withSystemTempDirectory "blackhole-spec"

@@ -1,5 +1,7 @@
 module BlackHole.Image.GoldenSpec (spec) where
 
+import BlackHole.Image.Coding
+import BlackHole.Image.Label
 import BlackHole.Image.Png
 import BlackHole.Physics.Spacetime
 import BlackHole.Render.Film
@@ -8,6 +10,7 @@ import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Sky
+import qualified Data.ByteString as Bytes
 import Support.Golden
 import Test.Hspec
 
@@ -27,5 +30,6 @@ spec = do
       case film of
         Nothing -> expectationFailure "the scene is not valid"
         Just exposed -> do
-          codes <- developFilm oneWorker (sceneExposure scene) (sceneToneMap scene) exposed
-          encodePicture "blackhole" codes `shouldMatchGolden` name
+          codes <- developFilm oneWorker (sceneExposure scene) (sceneToneMap scene) (sceneDither scene) exposed
+          file <- encodePng oneWorker (Label "blackhole" defaultCoding Bytes.empty) (Codes8 codes)
+          file `shouldMatchGolden` name

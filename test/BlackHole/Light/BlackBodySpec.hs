@@ -73,7 +73,7 @@ spec = do
                   (x - 0.3127) * (y' - 0.3290) - (y - 0.3290) * (x' - 0.3127)
             fmap cross mapped `shouldSatisfy` maybe False ((< 1e-12) . abs)
         )
-        (geometric 300 1900 20)
+        (geometric 900 1900 20)
 
   describe "blackBodyLuminance" $ do
     it "is 6e5 cd/m² at the freezing point of platinum (the old candela)" $

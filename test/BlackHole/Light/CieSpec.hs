@@ -4,7 +4,6 @@ import BlackHole.Light.Cie
 import BlackHole.Light.Radiance
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
-import Test.QuickCheck
 
 spec :: Spec
 spec = do
@@ -44,36 +43,6 @@ spec = do
     prop "agrees with luminance" $ \r g b ->
       abs (xyzY (xyzOfRadiance (Radiance r g b)) - luminance (Radiance r g b))
         `shouldSatisfy` (<= 1e-15 * (abs r + abs g + abs b))
-
-  describe "desaturateIntoGamut" $ do
-    prop "leaves what a display has as it is" $
-      \(NonNegative r) (NonNegative g) (NonNegative b) ->
-        desaturateIntoGamut (Radiance r g b) `shouldBe` Radiance r g b
-    prop "keeps the luminance and leaves nothing negative" $
-      forAll outsideGamut $ \colour ->
-        let mapped@(Radiance r g b) = desaturateIntoGamut colour
-         in (abs (luminance mapped - luminance colour), minimum [r, g, b])
-              `shouldSatisfy` \(error', least) ->
-                error' < 1e-13 * luminance colour
-                  && least == 0
-    prop "moves straight towards white" $
-      forAll outsideGamut $ \colour ->
-        let Radiance r g b = desaturateIntoGamut colour
-            Radiance r' g' b' = colour
-            y = luminance colour
-            -- White, the colour and its image lie on one line.
-            cross =
-              [ (r - y) * (g' - y) - (g - y) * (r' - y),
-                (g - y) * (b' - y) - (b - y) * (g' - y)
-              ]
-            along = (r - y) * (r' - y) + (g - y) * (g' - y) + (b - y) * (b' - y)
-         in (maximum (map abs cross), along) `shouldSatisfy` \(off, forwards) ->
-              off < 1e-10 && forwards > 0
-    it "makes light without luminance black" $
-      desaturateIntoGamut (Radiance (-1) 0 0) `shouldBe` black
-    it "lets NaN through" $
-      isFiniteRadiance (desaturateIntoGamut (Radiance (0 / 0) (-1) 5))
-        `shouldBe` False
   where
     equalEnergy = xyzOfSpectrum (const 1)
     line wavelength l = if abs (l - wavelength) < 1 then 1 else 0
@@ -87,15 +56,6 @@ spec = do
         (700, (0.73469, 0.26531)),
         (830, (0.73469, 0.26531))
       ]
-
--- | Colours with a negative amount and a luminance around 1.
-outsideGamut :: Gen Radiance
-outsideGamut =
-  (Radiance <$> amount <*> amount <*> amount)
-    `suchThat` \colour@(Radiance r g b) ->
-      minimum [r, g, b] < -1e-3 && luminance colour > 0.1
-  where
-    amount = choose (-2, 5)
 
 closeTo :: Double -> (Double, Double) -> Maybe (Double, Double) -> Bool
 closeTo limit (x, y) =

@@ -24,25 +24,38 @@ spec = do
     prop "is monotone" $
       forAll ((,) <$> inRange (-1) 2 <*> inRange (-1) 2) $ \(a, b) ->
         a <= b ==> quantise a <= quantise b
-  describe "tone maps" $ do
-    prop "stay in range" $
+  describe "dithered codes" $ do
+    prop "are one of the two nearest" $
+      forAll ((,) <$> inRange 0.001 0.999 <*> inRange 0 1) $ \(threshold, s) ->
+        let code = fromIntegral (ditheredCode threshold s) :: Double
+         in counterexample (show code) (code > 255 * s - 1 && code < 255 * s + 1)
+    prop "leave exact codes alone" $
+      forAll ((,) <$> inRange 0.001 0.999 <*> choose (0, 255)) $ \(threshold, code) ->
+        ditheredCode threshold (fromIntegral code / 255) === code
+  it "16-bit codes reach both ends" $
+    map fineCode [0, 1, 2, -1, 0.5, 0 / 0] `shouldBe` [0, 65535, 65535, 0, 32768, 0]
+  describe "prepared development" $ do
+    prop "is that of the exact functions" $
       forAll arbitraryBoundedEnum $ \tone ->
-        forAll light $ \l ->
-          let Radiance r g b = applyToneMap tone l
-           in conjoin [counterexample (show c) (c >= 0 && c <= 1) | c <- [r, g, b]]
-    prop "never darken when the light grows" $
-      forAll arbitraryBoundedEnum $ \tone ->
-        forAll light $ \l ->
-          luminance (applyToneMap tone (scaleRadiance 1.1 l)) >= luminance (applyToneMap tone l) - 1e-12
-    prop "none changes nothing that fits" $
-      forAll (Radiance <$> inRange 0 1 <*> inRange 0 1 <*> inRange 0 1) $ \l ->
-        applyToneMap ToneNone l === l
-    it "none keeps the hue of what is too bright" $
-      -- Bright orange stays between red and yellow: the order of the primaries
-      -- and the place of green between them.
-      let Radiance r g b = applyToneMap ToneNone (Radiance 2 0.6 0.1)
-       in do
-            r `shouldBeWithin` (1e-12, 1)
-            ((g - b) / (r - b)) `shouldBeWithin` (1e-12, (0.6 - 0.1) / (2 - 0.1))
+        forAll (inRange (-3) 3) $ \stops ->
+          forAll light $ \l ->
+            let Signal r g b = developSignal (developer (Exposure stops) tone) l
+                Radiance r' g' b' = mapRadiance encodeSrgb (applyToneMap tone (expose (Exposure stops) l))
+             in conjoin [closeTo 2e-5 e v | (e, v) <- [(r', r), (g', g), (b', b)]]
+    it "survives any light" $
+      sequence_
+        [ all (\s -> s >= 0 && s <= 1) [r, g, b] `shouldBe` True
+          | tone <- [minBound ..],
+            a <- strange,
+            c <- strange,
+            let Signal r g b = developSignal (developer (Exposure 0) tone) (Radiance a c 0.2)
+        ]
+    it "shows light without end as the brightest there is" $
+      sequence_
+        [ minimum [r, g, b] `shouldBeWithin` (1e-12, 1)
+          | tone <- [minBound ..],
+            let Signal r g b = developSignal (developer (Exposure 0) tone) (grey (1 / 0))
+        ]
   where
     light = Radiance <$> inRange 0 5 <*> inRange 0 5 <*> inRange 0 5
+    strange = [0 / 0, 1 / 0, -1 / 0, -1, 0, 1e-300, 1e300]

@@ -1,6 +1,7 @@
 module BlackHole.Render.FilmSpec (spec) where
 
 import BlackHole.Light.Display
+import BlackHole.Light.Dither (Dither (..))
 import BlackHole.Render.Film
 import BlackHole.Render.PixelArray (toPixelVector)
 import BlackHole.Render.Workers
@@ -40,4 +41,4 @@ developed n = case workers n of
   Nothing -> pure Nothing
   Just crew -> withWorkers crew $ do
     film <- exposeFilm crew (const (pure ())) small
-    traverse (fmap toPixelVector . developFilm crew (Exposure 0) ToneFilm) film
+    traverse (fmap toPixelVector . developFilm crew (Exposure 0) ToneFilm BlueNoise) film

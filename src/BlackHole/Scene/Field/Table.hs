@@ -8,7 +8,8 @@ module BlackHole.Scene.Field.Table
   )
 where
 
-import BlackHole.Light.Display (Exposure (..), ToneMap (..))
+import BlackHole.Light.Display (Exposure (..), ToneMap (..), toneMapName)
+import BlackHole.Light.Dither (Dither (..))
 import BlackHole.Physics.Angle
 import qualified BlackHole.Physics.Observer as Observer
 import BlackHole.Physics.Spacetime (Spacetime (..))
@@ -21,7 +22,7 @@ import BlackHole.Scene.Scene
 import BlackHole.Scene.Shifts (Shifts (..))
 import BlackHole.Scene.Sky (Sky (..), Stars (..), defaultStars)
 import BlackHole.Vector.XYZ (XYZ (..))
-import Data.List (find)
+import Data.List (find, intercalate)
 import Data.Maybe (isJust)
 
 -- | The most pixels a side of a picture may have.
@@ -108,8 +109,12 @@ sceneFields =
       `withOption` ("seed", "N"),
     number Output "output.exposure" (Quantity "a number of stops" (From (-100)) (UpTo 100) "") "Brighter (+) or darker (-) by powers of two (stops)" (part (exposureStops . sceneExposure) (\v s -> s {sceneExposure = Exposure v}))
       `withOption` ("exposure", "STOPS"),
-    choice Output "output.tone-map" "a tone map" toneMaps "How bright light is brought into range: none or film" (part sceneToneMap (\v s -> s {sceneToneMap = v}))
+    choice Output "output.tone-map" "a tone map" toneMaps ("How bright light is brought into range: " ++ intercalate ", " (map toneMapName [minBound ..])) (part sceneToneMap (\v s -> s {sceneToneMap = v}))
       `withOption` ("tone-map", "NAME"),
+    switch Output "output.dither" "Whether codes of 8 bits are dithered against banding" (part ((== BlueNoise) . sceneDither) (\on s -> s {sceneDither = if on then BlueNoise else NoDither}))
+      `withOption` ("dither", "on|off"),
+    number Output "output.bloom" (Quantity "a part" (From 0) (UpTo 1) "of the light") "Part of the light that the lens scatters, 0 to 1" (part sceneBloom (\v s -> s {sceneBloom = v}))
+      `withOption` ("bloom", "PART"),
     switch Diagnostics "diagnostics.debug-textures" "Parity checks instead of gas and sky" (part sceneDebugTextures (\v s -> s {sceneDebugTextures = v}))
       `withFlag` ("debug-textures", SwitchValue True, "Parity checks instead of gas and sky")
   ]
@@ -134,7 +139,13 @@ sceneFields =
         (UniformSky, "uniform", "the same light everywhere"),
         (NoSky, "none", "dark")
       ]
-    toneMaps = [(ToneNone, "none", "as it is"), (ToneFilm, "film", "a soft shoulder")]
+    toneMaps = [(tone, toneMapName tone, toneMapMeaning tone) | tone <- [minBound ..]]
+    toneMapMeaning tone = case tone of
+      ToneNone -> "as it is"
+      ToneFilm -> "an emulsion's soft shoulder"
+      ToneReinhard -> "little contrast"
+      ToneAces -> "much contrast"
+      ToneAgx -> "for a very wide range of light"
 
 -- | A part that is always there.
 part :: (whole -> part) -> (part -> whole -> whole) -> Part whole part

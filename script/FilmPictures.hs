@@ -1,0 +1,130 @@
+-- | Draws the pictures of docs/film.md from the program's own modules.
+module Main (main) where
+
+import BlackHole.Image.Coding
+import BlackHole.Image.Label
+import BlackHole.Image.Png
+import BlackHole.Light.BlackBody (blackBodyColour, unmappedColour)
+import BlackHole.Light.Display
+import BlackHole.Light.Dither
+import BlackHole.Light.Gamut
+import BlackHole.Light.Radiance
+import BlackHole.Light.ToneMap (ToneCurve (..), toneCurve)
+import BlackHole.Render.Bloom
+import BlackHole.Render.Film
+import BlackHole.Render.PixelArray
+import BlackHole.Render.PixelShape
+import BlackHole.Render.Workers
+import BlackHole.Scene.Camera (Picture (..))
+import BlackHole.Scene.Preset (defaultScene)
+import BlackHole.Scene.Scene
+import qualified Data.ByteString as Bytes
+import qualified Data.ByteString.Lazy as Lazy
+import Data.Maybe (fromMaybe)
+import qualified Data.Vector.Storable as Vector
+import Data.Word (Word8)
+import System.Environment (getArgs)
+import System.Exit (die)
+import System.FilePath ((</>))
+
+-- | A picture of codes: width, height, and the code of a column, a row and a
+-- channel.
+data Sheet = Sheet !Int !Int (Int -> Int -> Int -> Word8)
+
+main :: IO ()
+main = do
+  arguments <- getArgs
+  let folder = case arguments of
+        given : _ -> given
+        [] -> "docs/images"
+  crew <- defaultWorkers
+  withWorkers crew $ do
+    exposed <- exposeFilm crew (const (pure ())) defaultScene {scenePicture = Picture wide high, sceneSamples = 4}
+    film <- maybe (die "the default scene cannot be traced") pure exposed
+    toneMaps <- mapM (\tone -> sheetOf <$> developFilm crew plain tone BlueNoise film) [ToneFilm, ToneNone, ToneReinhard, ToneAces, ToneAgx]
+    write crew folder "film-tone-maps.png" (inRows 2 (toneMaps ++ [channelByChannel film]))
+    write crew folder "film-hue.png" (inRows 1 [wedge byChannel, wedge (applyToneMap ToneFilm)])
+    write crew folder "film-red.png" (inRows 1 [strip towardsWhite, strip desaturateIntoGamut])
+    dithers <- mapM (\dither -> brightened . sheetOf <$> developFilm crew (Exposure (-6)) ToneFilm dither film) [NoDither, BlueNoise]
+    write crew folder "film-dither.png" (inRows 2 dithers)
+    blooms <- mapM (\strength -> bloomFilm crew strength film >>= fmap sheetOf . developFilm crew plain ToneFilm BlueNoise) [0, 0.03, 0.1, 0.3]
+    write crew folder "film-bloom.png" (inRows 2 blooms)
+  where
+    plain = Exposure 0
+    wide = 480
+    high = 270
+
+sheetOf :: PixelArray Word8 -> Sheet
+sheetOf codes = Sheet width (shapeHeight shape) (\x y k -> Vector.unsafeIndex numbers (3 * (y * width + x) + k))
+  where
+    shape = pixelArrayShape codes
+    width = shapeWidth shape
+    numbers = toPixelVector codes
+
+-- | Film's curve on each primary by itself, as most programs have it.
+byChannel :: Radiance -> Radiance
+byChannel light = case toneCurve ToneFilm of
+  Just (ToneCurve _ curve) -> mapRadiance curve light
+  Nothing -> light
+
+channelByChannel :: Film -> Sheet
+channelByChannel film = lightSheet width (shapeHeight shape) (\x y -> byChannel (fromMaybe black (filmRadiance film x y)))
+  where
+    shape = pixelArrayShape film
+    width = shapeWidth shape
+
+-- | Display light, 0 to 1, as codes.
+lightSheet :: Int -> Int -> (Int -> Int -> Radiance) -> Sheet
+lightSheet width height light = Sheet width height code
+  where
+    code x y k = case light x y of
+      Radiance r g b -> quantise (encodeSrgb (if k == 0 then r else if k == 1 then g else b))
+
+-- | Black bodies of 1000 to 10000 K from left to right, from 3 stops below display
+-- white at the bottom to 5 above.
+wedge :: (Radiance -> Radiance) -> Sheet
+wedge shown = lightSheet 720 180 $ \x y ->
+  let temperature = 1000 * 10 ** (fromIntegral x / 720)
+      stops = 5 - 8 * fromIntegral y / 180
+   in shown (scaleRadiance (2 ** stops) (blackBodyColour temperature))
+
+-- | Black bodies of 300 to 2000 K, each as bright as can be.
+strip :: (Radiance -> Radiance) -> Sheet
+strip mapped = lightSheet 720 60 $ \x _ ->
+  let light@(Radiance r g b) = mapped (unmappedColour (300 + 1700 * fromIntegral x / 720))
+   in scaleRadiance (1 / max r (max g b)) light
+
+-- | White mixed in until nothing is negative, green or not.
+towardsWhite :: Radiance -> Radiance
+towardsWhite light@(Radiance r g b) = mapRadiance (\c -> max 0 (y + (c - y) * y / (y - least))) light
+  where
+    y = luminance light
+    least = min 0 (min r (min g b))
+
+-- | The lower right quarter at twice its size, codes six times as far apart.
+brightened :: Sheet -> Sheet
+brightened (Sheet width height code) = Sheet width height (\x y k -> let c = fromIntegral (code ((width + x) `quot` 2) ((height + y) `quot` 2) k) :: Int in fromIntegral (min 255 (6 * c)))
+
+-- | Sheets side by side, so many in a row, with white lines between.
+inRows :: Int -> [Sheet] -> Sheet
+inRows across sheets = Sheet (across * (width + gap) - gap) (down * (height + gap) - gap) code
+  where
+    gap = 6
+    down = (length sheets + across - 1) `quot` across
+    (width, height) = case sheets of
+      Sheet w h _ : _ -> (w, h)
+      [] -> (1, 1)
+    code x y k =
+      let (column, inX) = x `quotRem` (width + gap)
+          (row, inY) = y `quotRem` (height + gap)
+       in case drop (row * across + column) sheets of
+            Sheet _ _ own : _ | inX < width && inY < height -> own inX inY k
+            _ -> 255
+
+write :: Workers -> FilePath -> String -> Sheet -> IO ()
+write crew folder name (Sheet width height code) =
+  case pixelShape width height 3 >>= \shape -> fromPixelVector shape codes of
+    Just pixels -> encodePng crew (Label "blackhole" defaultCoding Bytes.empty) (Codes8 pixels) >>= Lazy.writeFile (folder </> name)
+    Nothing -> die (name ++ " is empty")
+  where
+    codes = Vector.generate (3 * width * height) (\i -> let (pixel, k) = i `quotRem` 3; (y, x) = pixel `quotRem` width in code x y k)

@@ -1,0 +1,86 @@
+-- | The kinds of picture files, by their names' extensions, and how finely they
+-- are coded.
+module BlackHole.Image.Coding
+  ( Format (..),
+    formatOf,
+    formatExtensions,
+    Coding (..),
+    defaultCoding,
+    codingProblem,
+    codingBitsOf,
+    codingQualityOf,
+  )
+where
+
+import Data.Char (toLower)
+import Data.Maybe (fromMaybe)
+import System.FilePath (takeExtension)
+
+-- | A file format.
+data Format
+  = -- | Developed, 8 or 16 bits, lossless.
+    Png
+  | -- | Developed, 8 bits, lossy.
+    Jpeg
+  | -- | Developed in 16 bits, or linear light in 32.
+    Tiff
+  | -- | Radiance's RGBE: linear light, 8 bits and a shared exponent.
+    Hdr
+  | -- | OpenEXR: linear light in 16 or 32 bits, with layers.
+    Exr
+  deriving (Eq, Show, Enum, Bounded)
+
+-- | The format of a file of this name; 'Nothing' for other extensions.
+formatOf :: FilePath -> Maybe Format
+formatOf path = lookup (map toLower (takeExtension path)) formatExtensions
+
+-- | The extensions and their formats.
+formatExtensions :: [(String, Format)]
+formatExtensions =
+  [(".png", Png), (".jpg", Jpeg), (".jpeg", Jpeg), (".tif", Tiff), (".tiff", Tiff), (".hdr", Hdr), (".exr", Exr)]
+
+-- | What was asked for; 'Nothing' is the format's own.
+data Coding = Coding
+  { -- | Bits per primary.
+    codingBits :: !(Maybe Int),
+    -- | JPEG's quality, 1 to 100.
+    codingQuality :: !(Maybe Int)
+  }
+  deriving (Eq, Show)
+
+-- | Nothing in particular.
+defaultCoding :: Coding
+defaultCoding = Coding Nothing Nothing
+
+-- | The bits a format can have, its own first.
+formatBits :: Format -> [Int]
+formatBits format = case format of
+  Png -> [8, 16]
+  Jpeg -> [8]
+  Tiff -> [16, 32]
+  Hdr -> [8]
+  Exr -> [16, 32]
+
+-- | What is wrong with a coding for a format, if anything: the option, its
+-- value, and what is allowed.
+codingProblem :: Format -> Coding -> [(String, String, String)]
+codingProblem format (Coding bits quality) =
+  [ ("--bits", show n, "a number of bits that this format has: " ++ unwords (map show (formatBits format)))
+    | Just n <- [bits],
+      n `notElem` formatBits format
+  ]
+    ++ [ ("--quality", show n, "a quality from 1 to 100")
+         | Just n <- [quality],
+           n < 1 || n > 100
+       ]
+
+-- | The bits per primary.
+codingBitsOf :: Format -> Coding -> Int
+codingBitsOf format coding = case formatBits format of
+  own : _ -> fromMaybe own (codingBits coding)
+  [] -> 8
+
+-- | JPEG's quality; 92 unless asked otherwise, where compression starts to be
+-- seen in smooth gradients at twice the size.
+codingQualityOf :: Coding -> Int
+codingQualityOf = fromMaybe 92 . codingQuality

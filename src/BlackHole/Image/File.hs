@@ -1,0 +1,63 @@
+-- | A film as a file of any format, and a file's label whatever its format.
+module BlackHole.Image.File
+  ( Development (..),
+    encodeFile,
+    fileLabel,
+  )
+where
+
+import BlackHole.Image.Coding
+import BlackHole.Image.Exr
+import BlackHole.Image.Hdr
+import BlackHole.Image.Jpeg
+import BlackHole.Image.Label
+import BlackHole.Image.Png
+import BlackHole.Image.Tiff
+import BlackHole.Light.Display (Exposure, ToneMap)
+import BlackHole.Light.Dither (Dither)
+import BlackHole.Render.Film
+import BlackHole.Render.Layer
+import BlackHole.Render.PixelArray (pixelArrayShape)
+import BlackHole.Render.PixelShape (shapeHeight, shapeWidth)
+import BlackHole.Render.Workers (Workers)
+import Control.Applicative ((<|>))
+import Data.ByteString (ByteString)
+import qualified Data.ByteString.Lazy as Lazy
+
+-- | How light becomes what a display shows, where the format wants that.
+data Development = Development
+  { developmentExposure :: !Exposure,
+    developmentToneMap :: !ToneMap,
+    -- | For formats of 8 bits.
+    developmentDither :: !Dither
+  }
+  deriving (Eq, Show)
+
+-- | The bytes of a file, coded as the label says, for which 'codingProblem'
+-- must know nothing. Linear formats hold the film's light itself, without exposure and tone map;
+-- layers go into OpenEXR alone. 'Nothing' where the format has no room for such
+-- a picture, or the layers do not fit ('encodeExr'). The bytes are the same for
+-- any number of workers.
+encodeFile :: Workers -> Format -> Label -> Development -> [Layer] -> Film -> IO (Maybe Lazy.ByteString)
+encodeFile crew format label (Development exposure tone dither) layers film = case (format, bits) of
+  (Png, 16) -> Just <$> (fine >>= encodePng crew label . Codes16)
+  (Png, _) -> Just <$> (coarse >>= encodePng crew label . Codes8)
+  (Jpeg, _)
+    | shapeWidth shape > 65535 || shapeHeight shape > 65535 -> pure Nothing
+    | otherwise -> Just . encodeJpeg (codingQualityOf coding) label <$> coarse
+  (Tiff, 32) -> pure (encodeTiff label (TiffLight film))
+  (Tiff, _) -> encodeTiff label . TiffCodes <$> fine
+  (Hdr, _) -> Just <$> encodeHdr crew label film
+  (Exr, _) -> encodeExr crew (if bits == 32 then Single else Half) label layers film
+  where
+    shape = pixelArrayShape film
+    coding = labelCoding label
+    bits = codingBitsOf format coding
+    coarse = developFilm crew exposure tone dither film
+    fine = developFilmFinely crew exposure tone film
+
+-- | The label that a file was written with; 'Nothing' for what is no picture of
+-- this program.
+fileLabel :: ByteString -> Maybe Label
+fileLabel bytes =
+  pngLabel bytes <|> exrLabel bytes <|> tiffLabel bytes <|> jpegLabel bytes <|> hdrLabel bytes

@@ -1,0 +1,125 @@
+{-# LANGUAGE BangPatterns #-}
+
+-- | Radiance's picture format: linear light as three 8-bit amounts with a shared
+-- exponent, within 1 in 256 of the strongest primary (Ward, "Real Pixels", 1991).
+module BlackHole.Image.Hdr
+  ( encodeHdr,
+    hdrLabel,
+  )
+where
+
+import BlackHole.Image.Label
+import BlackHole.Render.Film (Film)
+import BlackHole.Render.PixelArray (pixelArrayShape)
+import BlackHole.Render.PixelRows (pixelRow)
+import BlackHole.Render.PixelShape
+import BlackHole.Render.Shared (mapShared)
+import BlackHole.Render.Workers (Workers)
+import Data.Bits (shiftR, (.&.))
+import Data.ByteString (ByteString)
+import qualified Data.ByteString as Bytes
+import qualified Data.ByteString.Char8 as Characters
+import Data.ByteString.Internal (unsafeCreate)
+import qualified Data.ByteString.Lazy as Lazy
+import Data.ByteString.Unsafe (unsafeIndex)
+import Data.Maybe (mapMaybe)
+import qualified Data.Vector.Storable as Vector
+import Data.Word (Word32, Word8)
+import Foreign.Ptr (Ptr)
+import Foreign.Storable (pokeByteOff)
+
+-- | The film's light with its label in the header. Negative amounts and NaN
+-- become 0; what is beyond 1e38 becomes that. Rows are run-length coded where
+-- the format can (8 to 32767 pixels). Equal bytes for any number of workers.
+encodeHdr :: Workers -> Label -> Film -> IO Lazy.ByteString
+encodeHdr crew label film = do
+  rows <- mapShared crew (pure . codedRow) (mapMaybe (pixelRow film) [0 .. height - 1])
+  pure (Lazy.fromChunks (Characters.pack header : rows))
+  where
+    width = shapeWidth (pixelArrayShape film)
+    height = shapeHeight (pixelArrayShape film)
+    header =
+      unlines $
+        ["#?RADIANCE", "SOFTWARE=" ++ labelSoftware label]
+          ++ map ((commentMark ++) . Characters.unpack) (Characters.lines (labelText label))
+          ++ ["FORMAT=32-bit_rle_rgbe", "", "-Y " ++ show height ++ " +X " ++ show width]
+    codedRow light
+      | width < 8 || width > 32767 = interleaved
+      | otherwise =
+        Bytes.concat $
+          Bytes.pack [2, 2, fromIntegral (width `shiftR` 8), fromIntegral (width .&. 255)] : map runLengths planes
+      where
+        planes = [Bytes.take width (Bytes.drop (k * width) separate) | k <- [0 .. 3]]
+        separate = rgbe width light
+        interleaved = Bytes.pack [unsafeIndex separate (k * width + x) | x <- [0 .. width - 1], k <- [0 .. 3]]
+
+-- | The label of a Radiance file that this program wrote.
+hdrLabel :: ByteString -> Maybe Label
+hdrLabel bytes = case Characters.lines (Bytes.take 1000000 bytes) of
+  first : rest
+    | first == Characters.pack "#?RADIANCE" ->
+      parseLabel . Characters.unlines . mapMaybe (Bytes.stripPrefix (Characters.pack commentMark)) $
+        takeWhile (not . Bytes.null) rest
+  _ -> Nothing
+
+-- | In a scene's text no line is empty but for this.
+commentMark :: String
+commentMark = "# | "
+
+-- | A row's reds, then its greens, blues and exponents.
+rgbe :: Int -> Vector.Vector Float -> ByteString
+rgbe width light = unsafeCreate (4 * width) (go 0)
+  where
+    words32 = Vector.unsafeCast light :: Vector.Vector Word32
+    go :: Int -> Ptr Word8 -> IO ()
+    go !x !out
+      | x >= width = pure ()
+      | otherwise = do
+        let amount k = bounded (Vector.unsafeIndex light (3 * x + k)) (Vector.unsafeIndex words32 (3 * x + k))
+            r = amount 0
+            g = amount 1
+            b = amount 2
+            peak = max r (max g b)
+            -- The power of two above the peak; one more if rounding needs it.
+            least = exponent peak
+            power = if codeOf (factorOf least) peak > 255 then least + 1 else least
+            factor = factorOf power
+            put k v = pokeByteOff out (k * width + x) (fromIntegral v :: Word8)
+        if peak < 1e-38
+          then mapM_ (`put` (0 :: Int)) [0 .. 3]
+          else do
+            put 0 (codeOf factor r)
+            put 1 (codeOf factor g)
+            put 2 (codeOf factor b)
+            put 3 (power + 128)
+        go (x + 1) out
+    factorOf power = 2 ** fromIntegral (8 - power) :: Double
+    codeOf :: Double -> Float -> Int
+    codeOf factor v = truncate (realToFrac v * factor + 0.5)
+    -- Not a number: all bits of the exponent, and more.
+    bounded v bits
+      | bits .&. 0x7fffffff > 0x7f800000 = 0
+      | otherwise = max 0 (min 1e38 v)
+
+-- | Runs of four or more equal bytes as a count above 128 and the byte; the rest
+-- as counts of up to 128 and so many bytes.
+runLengths :: ByteString -> ByteString
+runLengths = Bytes.concat . go
+  where
+    go bytes = case Bytes.uncons bytes of
+      Nothing -> []
+      Just (byte, _)
+        | runLength >= 4 -> Bytes.pack [128 + fromIntegral runLength, byte] : go (Bytes.drop runLength bytes)
+        | otherwise ->
+          let literal = Bytes.take (literalLength bytes) bytes
+           in Bytes.cons (fromIntegral (Bytes.length literal)) literal : go (Bytes.drop (Bytes.length literal) bytes)
+        where
+          runLength = Bytes.length (Bytes.takeWhile (== byte) (Bytes.take 127 bytes))
+    -- Up to where the next run of four begins.
+    literalLength bytes = stretch 1
+      where
+        size = min 128 (Bytes.length bytes)
+        stretch n
+          | n >= size = size
+          | n + 3 < Bytes.length bytes && all (\k -> unsafeIndex bytes (n + k) == unsafeIndex bytes n) [1 .. 3] = n
+          | otherwise = stretch (n + 1)

@@ -1,0 +1,110 @@
+-- | TIFF files (revision 6.0): uncompressed, which every program reads.
+--
+-- Programs take 16-bit TIFF for coded as on a display, so that is what is in it:
+-- the developed picture, for editing without banding. 32-bit floating point is
+-- understood as linear light, and is the film's own.
+module BlackHole.Image.Tiff
+  ( TiffPixels (..),
+    encodeTiff,
+    tiffLabel,
+  )
+where
+
+import BlackHole.Image.Bytes
+import BlackHole.Image.Label
+import BlackHole.Render.Film (Film)
+import BlackHole.Render.PixelArray (PixelArray, pixelArrayShape, toPixelVector)
+import BlackHole.Render.PixelShape
+import Data.ByteString (ByteString)
+import qualified Data.ByteString as Bytes
+import Data.ByteString.Builder (Builder)
+import qualified Data.ByteString.Builder as Builder
+import qualified Data.ByteString.Char8 as Characters
+import qualified Data.ByteString.Lazy as Lazy
+import Data.List (sortOn)
+import Data.Vector.Storable (Storable)
+import qualified Data.Vector.Storable as Vector
+import Data.Word (Word16, Word32)
+
+-- | Three channels.
+data TiffPixels
+  = -- | Developed.
+    TiffCodes !(PixelArray Word16)
+  | -- | Linear light.
+    TiffLight !Film
+
+-- | A little-endian RGB file with its label as the image's description. Pictures
+-- of 4 GiB and more do not fit into the format: 'Nothing'. The rows are written
+-- as they are consumed.
+encodeTiff :: Label -> TiffPixels -> Maybe Lazy.ByteString
+encodeTiff label pixels
+  | dataSize > 0xf0000000 = Nothing
+  | otherwise =
+    Just . Builder.toLazyByteString $
+      Builder.string7 "II" <> Builder.word16LE 42 <> Builder.word32LE 8
+        <> Builder.word16LE (fromIntegral (length entries))
+        <> mconcat [Builder.word16LE tag <> Builder.word16LE kind <> Builder.word32LE count <> value | (tag, kind, count, value) <- placed]
+        <> Builder.word32LE 0
+        <> Builder.byteString (Bytes.concat [content | (_, _, _, content) <- entries, Bytes.length content > 4])
+        <> rows
+  where
+    (shape, bits, sampleFormat, rows) = case pixels of
+      TiffCodes codes -> (pixelArrayShape codes, 16, 1, eachNumber Builder.word16LE codes)
+      TiffLight film -> (pixelArrayShape film, 32, 3, eachNumber Builder.floatLE film)
+    dataSize = shapeLength shape * (bits `quot` 8)
+    -- In the order of tags.
+    entries =
+      sortOn
+        (\(tag, _, _, _) -> tag)
+        [ long 256 (shapeWidth shape),
+          long 257 (shapeHeight shape),
+          shorts 258 (replicate 3 bits),
+          shorts 259 [1],
+          shorts 262 [2],
+          ascii 270 (labelText label),
+          long 273 dataStart,
+          shorts 277 [3],
+          long 278 (shapeHeight shape),
+          long 279 dataSize,
+          ratio 282 72,
+          ratio 283 72,
+          shorts 284 [1],
+          shorts 296 [2],
+          ascii 305 (Characters.pack (labelSoftware label)),
+          shorts 339 (replicate 3 sampleFormat)
+        ]
+    shorts :: Word16 -> [Int] -> Entry
+    long tag v = (tag, 4, 1, strict (Builder.word32LE (fromIntegral v)))
+    shorts tag values = (tag, 3, fromIntegral (length values), strict (foldMap (Builder.word16LE . fromIntegral) values))
+    ratio tag v = (tag, 5, 1, strict (Builder.word32LE v <> Builder.word32LE 1))
+    ascii tag text = let ended = Bytes.snoc text 0 in (tag, 2, fromIntegral (Bytes.length ended), padded ended)
+    padded bytes = if odd (Bytes.length bytes) then Bytes.snoc bytes 0 else bytes
+    heapStart = 8 + 2 + 12 * length entries + 4
+    dataStart = heapStart + longTexts
+    -- The values too long for their entry; their sizes do not depend on where
+    -- they lie.
+    longTexts = 6 + 8 + 8 + 6 + sum [n | n <- map (Bytes.length . padded . (`Bytes.snoc` 0)) [labelText label, Characters.pack (labelSoftware label)], n > 4]
+    placed = place heapStart entries
+    place _ [] = []
+    place at ((tag, kind, count, content) : rest)
+      | Bytes.length content > 4 = (tag, kind, count, Builder.word32LE (fromIntegral at)) : place (at + Bytes.length content) rest
+      | otherwise = (tag, kind, count, Builder.byteString (Bytes.take 4 (content <> Bytes.replicate 4 0))) : place at rest
+
+eachNumber :: Storable e => (e -> Builder) -> PixelArray e -> Builder
+eachNumber write = Vector.foldr (\v rest -> write v <> rest) mempty . toPixelVector
+
+-- | Tag, type, count and the value's bytes.
+type Entry = (Word16, Word16, Word32, ByteString)
+
+-- | The label of a TIFF file that this program wrote.
+tiffLabel :: ByteString -> Maybe Label
+tiffLabel bytes = do
+  _ <- Bytes.stripPrefix (Bytes.pack [0x49, 0x49, 42, 0]) bytes
+  directory <- littleEndian 4 4 bytes
+  count <- littleEndian 2 directory bytes
+  case [place | i <- [0 .. count - 1], let place = directory + 2 + 12 * i, littleEndian 2 place bytes == Just 270] of
+    place : _ -> do
+      size <- littleEndian 4 (place + 4) bytes
+      start <- littleEndian 4 (place + 8) bytes
+      parseLabel . Bytes.takeWhile (/= 0) =<< slice start size bytes
+    [] -> Nothing

@@ -1,0 +1,199 @@
+module BlackHole.Image.FileSpec (spec) where
+
+import BlackHole.Image.Coding
+import BlackHole.Image.Exr (halfBits)
+import BlackHole.Image.File
+import BlackHole.Image.Label
+import BlackHole.Light.Display
+import BlackHole.Light.Dither
+import BlackHole.Render.Film
+import BlackHole.Render.Layer
+import BlackHole.Render.PixelArray
+import BlackHole.Render.PixelShape
+import BlackHole.Render.Workers
+import Codec.Picture
+import Control.Monad (forM_)
+import qualified Data.ByteString as Bytes
+import qualified Data.ByteString.Char8 as Characters
+import qualified Data.ByteString.Lazy as Lazy
+import Data.List (isInfixOf)
+import Data.Maybe (isNothing, mapMaybe)
+import qualified Data.Vector.Storable as Vector
+import Data.Word (Word16)
+import GHC.Float (castFloatToWord32)
+import Support.Tool
+import System.FilePath ((</>))
+import System.IO.Temp (withSystemTempDirectory)
+import Test.Hspec
+import Test.QuickCheck (choose, forAll, property)
+
+spec :: Spec
+spec = do
+  describe "every format" $
+    forM_ kinds $ \(path, coding) -> describe (path ++ maybe "" ((' ' :) . show) (codingBits coding)) $ do
+      it "holds its label, also with a long scene" $
+        forM_ [scene, Bytes.concat (replicate 500 scene)] $ \text -> do
+          let label = labelled coding text
+          fmap (fileLabel . Lazy.toStrict) <$> encoded oneWorker path label `shouldReturn` Just (Just label)
+      it "has the same bytes for any number of workers" $ do
+        files <- mapM (\crew -> encoded crew path (labelled coding scene)) (mapMaybe workers [1, 2, 3])
+        files `shouldSatisfy` all (\file -> [file] == take 1 files)
+      it "is a picture of this size to ImageMagick or OpenImageIO" $
+        inFile path coding $ \file ->
+          if formatOf path == Just Exr
+            then withTool "oiiotool" $ \tool -> do
+              text <- toolOutput tool ["--info", file]
+              Characters.unpack text `shouldSatisfy` isInfixOf (show width ++ " x   " ++ show height)
+            else withTool "identify" $ \tool ->
+              toolOutput tool ["-format", "%w %h", file] `shouldReturn` Characters.pack (show width ++ " " ++ show height)
+  describe "decoded" $ do
+    it "PNG in 16 bits has every code, by JuicyPixels and by ImageMagick" $ do
+      codes <- toPixelVector <$> developFilmFinely oneWorker exposure ToneFilm film
+      inFile "a.png" (Coding (Just 16) Nothing) $ \file -> do
+        picture <- decodePng <$> Bytes.readFile file
+        case picture of
+          Right (ImageRGB16 image) -> imageData image == codes `shouldBe` True
+          _ -> expectationFailure "this is no 16-bit RGB PNG"
+        withTool "convert" $ \tool -> do
+          raw <- toolOutput tool [file, "-depth", "16", "-endian", "MSB", "rgb:-"]
+          words16 raw == Vector.toList codes `shouldBe` True
+    it "TIFF in 16 bits has every code, by JuicyPixels and by ImageMagick" $ do
+      codes <- toPixelVector <$> developFilmFinely oneWorker exposure ToneFilm film
+      inFile "a.tif" defaultCoding $ \file -> do
+        picture <- decodeTiff <$> Bytes.readFile file
+        case picture of
+          Right (ImageRGB16 image) -> imageData image == codes `shouldBe` True
+          _ -> expectationFailure "this is no 16-bit RGB TIFF"
+        withTool "convert" $ \tool -> do
+          raw <- toolOutput tool [file, "-depth", "16", "-endian", "MSB", "rgb:-"]
+          words16 raw == Vector.toList codes `shouldBe` True
+    it "JPEG is near the developed picture" $ do
+      let gentle = arrayOf 3 (Vector.generate (3 * width * height) (\i -> fromIntegral ((i `quot` 3) `rem` width) / fromIntegral (width * (1 + i `rem` 3))))
+      codes <- toPixelVector <$> developFilm oneWorker exposure ToneFilm NoDither gentle
+      file <- encodeFile oneWorker Jpeg (labelled (Coding Nothing (Just 95)) scene) development [] gentle
+      case convertRGB8 <$> maybe (Left "not encoded") (decodeJpeg . Lazy.toStrict) file of
+        Right image -> do
+          let differences = Vector.zipWith (\a b -> abs (fromIntegral a - fromIntegral b)) codes (imageData image) :: Vector.Vector Double
+          Vector.sum differences / fromIntegral (Vector.length differences) `shouldSatisfy` (< 1)
+        _ -> expectationFailure "this is no JPEG"
+    it "HDR is the film's light within 1/256 of the strongest primary, by JuicyPixels" $
+      inFile "a.hdr" defaultCoding $ \file -> do
+        picture <- decodeHDR <$> Bytes.readFile file
+        case picture of
+          Right (ImageRGBF image) -> do
+            (imageWidth image, imageHeight image) `shouldBe` (width, height)
+            sequence_
+              [ abs (a - b) `shouldSatisfy` (<= peak / 256)
+                | i <- [0, 3 .. Vector.length light - 3],
+                  let peak = Vector.maximum (Vector.slice i 3 light),
+                  (a, b) <- zip (Vector.toList (Vector.slice i 3 light)) (Vector.toList (Vector.slice i 3 (imageData image)))
+              ]
+          _ -> expectationFailure "this is no HDR picture"
+    it "TIFF in 32 bits is the film's light, by OpenImageIO" $
+      inFile "a.tif" (Coding (Just 32) Nothing) $ isDumped 1e-6 (Vector.toList light)
+    it "EXR in 32 bits is the film's light with its layer, by OpenImageIO" $
+      inFile "a.exr" (Coding (Just 32) Nothing) $ isDumped 1e-6 (withLayer light)
+    it "EXR in 16 bits is so within half a step" $
+      inFile "a.exr" defaultCoding $ isDumped (1 / 2048 + 1e-6) (withLayer light)
+    it "EXR's header is as the standard's own tool wants it" $
+      inFile "a.exr" defaultCoding $ \file ->
+        withTool "exrheader" $ \tool -> do
+          text <- Characters.unpack <$> toolOutput tool [file]
+          forM_
+            [ "zip, multi-scanline blocks",
+              "R, 16-bit floating-point, sampling 1 1",
+              "redshift, 32-bit floating-point, sampling 1 1",
+              "displayWindow (type box2i): (0 0) - (" ++ show (width - 1) ++ " " ++ show (height - 1) ++ ")",
+              "software (type string): \"blackhole 1.2.3\""
+            ]
+            $ \line -> text `shouldSatisfy` isInfixOf line
+    it "EXR is refused with layers that do not fit" $ do
+      let with layers = encodeFile oneWorker Exr (labelled defaultCoding scene) development layers film
+          named name = [Layer name (layerValues redshift)]
+      mapM (fmap isNothing . with) [[redshift], [redshift, redshift], named "R", named "", named (replicate 32 'a'), [Layer "a" film]]
+        `shouldReturn` [False, True, True, True, True, True]
+  describe "16-bit floating point" $ do
+    it "has the standard's values" $
+      map (halfBits . castFloatToWord32) [0, 1, -2, 65504, 65519, 65520, 1e9, 1 / 0, 2 ** (-14), 2 ** (-24), 2 ** (-25), 1.5 * 2 ** (-24), 0.1]
+        `shouldBe` [0, 0x3c00, 0xc000, 0x7bff, 0x7bff, 0x7bff, 0x7bff, 0x7c00, 0x0400, 0x0001, 0x0000, 0x0002, 0x2e66]
+    it "is the nearest there is" $
+      property $
+        forAll (choose (-20, 15)) $ \e -> forAll (choose (1, 2)) $ \m ->
+          let v = m * 2 ** e :: Float
+              h = halfBits (castFloatToWord32 v)
+           in all (\other -> abs (valueOf h - v) <= abs (valueOf other - v)) [h - 1, h + 1]
+  it "knows no label in other files" $
+    map (fileLabel . Characters.pack) ["", "P6 1 1 255", "#?RADIANCE\n\n", "\xff\xd8\xff\xda", "\137PNG\r\n\26\n", "II*\0\8\0\0\0\0\0"]
+      `shouldBe` replicate 6 Nothing
+  where
+    kinds =
+      [ ("a.png", defaultCoding),
+        ("a.png", Coding (Just 16) Nothing),
+        ("a.jpg", Coding Nothing (Just 80)),
+        ("a.tif", defaultCoding),
+        ("a.tif", Coding (Just 32) Nothing),
+        ("a.hdr", defaultCoding),
+        ("a.exr", defaultCoding),
+        ("a.exr", Coding (Just 32) Nothing)
+      ]
+    labelled = Label "blackhole 1.2.3"
+    scene = Characters.pack "camera:\n  distance: 30\n\nname: caf\195\169\n"
+    exposure = Exposure 0
+    development = Development exposure ToneFilm NoDither
+    encoded crew path label = case formatOf path of
+      Nothing -> pure Nothing
+      Just format -> encodeFile crew format label development [redshift] film
+    inFile path coding action = withSystemTempDirectory "blackhole-spec" $ \folder -> do
+      bytes <- encoded oneWorker path (labelled coding scene)
+      case bytes of
+        Nothing -> expectationFailure "not encoded"
+        Just content -> Lazy.writeFile (folder </> path) content >> action (folder </> path)
+    -- Whether these are the numbers of a file as OpenImageIO reads it.
+    isDumped bound expected file = do
+      text <- toolOutputIfThere "oiiotool" ["--dumpdata", file]
+      case text of
+        Nothing -> pendingWith "oiiotool is not installed"
+        Just bytes -> concatMap numbers (Characters.lines bytes) `shouldSatisfy` near bound expected
+    numbers line
+      | Characters.pack "Pixel" `Bytes.isInfixOf` line =
+        map (read . Characters.unpack) (Characters.words (Characters.drop 1 (Characters.dropWhile (/= ':') line)))
+      | otherwise = []
+    near tolerance expected actual =
+      length expected == length actual && and (zipWith (\a b -> abs (a - b) <= tolerance * abs a + 1e-7) expected (actual :: [Float]))
+    withLayer numbers' =
+      concat
+        [ Vector.toList (Vector.slice (3 * i) 3 numbers') ++ [toPixelVector (layerValues redshift) Vector.! i]
+          | i <- [0 .. width * height - 1]
+        ]
+    words16 raw = case Bytes.unpack (Bytes.take 2 raw) of
+      [high, low] -> (256 * fromIntegral high + fromIntegral low :: Word16) : words16 (Bytes.drop 2 raw)
+      _ -> []
+    valueOf h =
+      let e = fromIntegral (h `div` 1024) :: Int
+          m = fromIntegral (h `mod` 1024) :: Float
+       in if e == 0 then m * 2 ** (-24) else (1 + m / 1024) * 2 ^^ (e - 15)
+
+width, height :: Int
+width = 41
+height = 37
+
+-- | Light over many orders of magnitude, with runs and darkness.
+film :: Film
+film = arrayOf 3 (Vector.generate (3 * width * height) amount)
+  where
+    amount i
+      | (i `div` 60) `mod` 3 == 0 = 0
+      | (i `div` 60) `mod` 3 == 1 = 0.25
+      | otherwise = exp (6 * sin (fromIntegral i * 0.37)) * 0.1
+
+light :: Vector.Vector Float
+light = toPixelVector film
+
+redshift :: Layer
+redshift = Layer "redshift" (arrayOf 1 (Vector.generate (width * height) (\i -> 0.5 + fromIntegral i / 1000)))
+
+arrayOf :: Int -> Vector.Vector Float -> PixelArray Float
+arrayOf channels values =
+  case pixelShape width height channels >>= \shape -> fromPixelVector shape values of
+    Just pixels -> pixels
+    Nothing -> error "the test's picture has another size"
