@@ -50,7 +50,8 @@ explanationLines scene explanation =
         colour ("exposed by " ++ short stops ++ " stops") (shownExposed shown),
         colour ("tone map " ++ toneMapName (sceneToneMap scene)) (shownToneMapped shown),
         field "sRGB codes" (concatMap (padLeft 16 . show) [r, g, b])
-      ]
+      ],
+      ["  (before bloom, which adds light from the rest of the picture)" | sceneBloom scene > 0]
     ]
   where
     (x, y) = explainedPixel explanation

@@ -38,7 +38,7 @@ import BlackHole.SelfTest.Check (Check, checkHolds)
 import BlackHole.Trace.Explain (explainPixel)
 import Control.Applicative ((<|>))
 import Control.Exception (IOException, SomeAsyncException (..), SomeException, displayException, fromException, throwIO, try)
-import Control.Monad (void)
+import Control.Monad (void, when)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.List (intercalate)
@@ -47,7 +47,7 @@ import qualified Paths_blackhole as Package
 import qualified System.Console.Terminal.Size as Terminal
 import System.Environment (getEnvironment)
 import System.Exit (ExitCode (..))
-import System.IO (hIsTerminalDevice, hPutStr, hPutStrLn, stderr, stdout)
+import System.IO (IOMode (ReadMode), hIsTerminalDevice, hPutStr, hPutStrLn, stderr, stdout, withBinaryFile)
 import System.IO.Error (ioeGetErrorString)
 import System.Info (compilerName, compilerVersion)
 
@@ -269,21 +269,26 @@ renderedScene :: RenderOptions -> IO (Either [String] (Scene, Coding))
 renderedScene options = case renderFrom options of
   Nothing -> fmap (coded asked) <$> loadScene (renderScene options)
   Just path -> do
-    outcome <- try (Bytes.readFile path)
-    pure $ case outcome of
-      Left failure -> Left [path ++ ": can't be read: " ++ ioeGetErrorString (failure :: IOException)]
+    -- The label comes before the pixels.
+    outcome <- try (withBinaryFile path ReadMode (`Bytes.hGet` 0x400000))
+    case outcome of
+      Left failure -> pure (Left [path ++ ": can't be read: " ++ ioeGetErrorString (failure :: IOException)])
       Right bytes -> case fileLabel bytes of
-        Nothing -> Left [path ++ ": this is no picture that blackhole made: it does not say of which scene"]
+        Nothing -> pure (Left [path ++ ": this is no picture that blackhole made: it does not say of which scene"])
         Just label -> do
-          scene <- resolveScene (renderScene options) {sceneFile = Just path} (Just (labelScene label))
-          -- Another format has other bits.
-          let before
-                | formatOf path == formatOf (renderOutput options) = labelCoding label
-                | otherwise = defaultCoding
-          pure (coded (Coding (codingBits asked <|> codingBits before) (codingQuality asked <|> codingQuality before)) scene)
+          when (labelSoftware label /= programName) $
+            hPutStrLn stderr ("blackhole: note: " ++ path ++ " was made by " ++ labelSoftware label ++ "; " ++ programName ++ " may make other bytes")
+          pure (fromLabel path label)
   where
-    coded coding scene = (scene, coding)
     asked = renderCoding options
+    coded coding scene = (scene, coding)
+    fromLabel path label = do
+      scene <- resolveScene (renderScene options) {sceneFile = Just path} (Just (labelScene label))
+      -- Another format has other bits.
+      let before
+            | formatOf path == formatOf (renderOutput options) = labelCoding label
+            | otherwise = defaultCoding
+      pure (coded (Coding (codingBits asked <|> codingBits before) (codingQuality asked <|> codingQuality before)) scene)
 
 -- | The picture as text on standard output.
 preview :: Workers -> Scene -> IO ExitStatus

@@ -6,7 +6,7 @@ module BlackHole.Image.Huffman
 where
 
 import Data.Bits (shiftL, shiftR, (.&.), (.|.))
-import Data.List (foldl', sortOn)
+import Data.List (sortOn)
 import qualified Data.Vector.Unboxed as U
 
 -- | A tree over the symbols, with the number of times it is used.
@@ -84,4 +84,4 @@ canonicalCodes lengths = U.replicate (U.length lengths) 0 U.// go 0 1
 
 -- | The lowest @n@ bits in the opposite order.
 reversed :: Int -> Int -> Int
-reversed n code = foldl' (\done i -> done `shiftL` 1 .|. (code `shiftR` i) .&. 1) 0 [0 .. n - 1]
+reversed n code = foldl (\done i -> done `shiftL` 1 .|. (code `shiftR` i) .&. 1) 0 [0 .. n - 1]

@@ -1,3 +1,5 @@
+{-# LANGUAGE BangPatterns #-}
+
 -- | TIFF files (revision 6.0): uncompressed, which every program reads.
 --
 -- Programs take 16-bit TIFF for coded as on a display, so that is what is in it:
@@ -15,16 +17,19 @@ import BlackHole.Image.Label
 import BlackHole.Render.Film (Film)
 import BlackHole.Render.PixelArray (PixelArray, pixelArrayShape, toPixelVector)
 import BlackHole.Render.PixelShape
+import Data.Bits (Bits, shiftR)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import Data.ByteString.Builder (Builder)
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Char8 as Characters
+import Data.ByteString.Internal (unsafeCreate)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.List (sortOn)
 import Data.Vector.Storable (Storable)
 import qualified Data.Vector.Storable as Vector
-import Data.Word (Word16, Word32)
+import Data.Word (Word16, Word32, Word8)
+import Foreign.Storable (pokeByteOff)
 
 -- | Three channels.
 data TiffPixels
@@ -49,8 +54,8 @@ encodeTiff label pixels
         <> rows
   where
     (shape, bits, sampleFormat, rows) = case pixels of
-      TiffCodes codes -> (pixelArrayShape codes, 16, 1, eachNumber Builder.word16LE codes)
-      TiffLight film -> (pixelArrayShape film, 32, 3, eachNumber Builder.floatLE film)
+      TiffCodes codes -> (pixelArrayShape codes, 16, 1, littleEndianRows 2 (pixelArrayShape codes) (toPixelVector codes))
+      TiffLight film -> (pixelArrayShape film, 32, 3, littleEndianRows 4 (pixelArrayShape film) (Vector.unsafeCast (toPixelVector film) :: Vector.Vector Word32))
     dataSize = shapeLength shape * (bits `quot` 8)
     -- In the order of tags.
     entries =
@@ -90,8 +95,22 @@ encodeTiff label pixels
       | Bytes.length content > 4 = (tag, kind, count, Builder.word32LE (fromIntegral at)) : place (at + Bytes.length content) rest
       | otherwise = (tag, kind, count, Builder.byteString (Bytes.take 4 (content <> Bytes.replicate 4 0))) : place at rest
 
-eachNumber :: Storable e => (e -> Builder) -> PixelArray e -> Builder
-eachNumber write = Vector.foldr (\v rest -> write v <> rest) mempty . toPixelVector
+-- | Every row's numbers, lowest byte first, made when it is wanted.
+littleEndianRows :: (Storable e, Integral e, Bits e) => Int -> PixelShape -> Vector.Vector e -> Builder
+littleEndianRows bytes shape numbers = foldMap (Builder.byteString . row) [0 .. shapeHeight shape - 1]
+  where
+    size = shapeRowLength shape
+    row y = unsafeCreate (bytes * size) $ \out ->
+      let go !i
+            | i >= size = pure ()
+            | otherwise = put i 0 (Vector.unsafeIndex numbers (y * size + i)) >> go (i + 1)
+          put !i !k !v
+            | k >= bytes = pure ()
+            | otherwise = do
+              pokeByteOff out (bytes * i + k) (fromIntegral v :: Word8)
+              put i (k + 1) (v `shiftR` 8)
+       in go 0
+{-# INLINE littleEndianRows #-}
 
 -- | Tag, type, count and the value's bytes.
 type Entry = (Word16, Word16, Word32, ByteString)

@@ -1,3 +1,5 @@
+{-# LANGUAGE BangPatterns #-}
+
 -- | Gradient noise (Perlin 1985, "An image synthesizer", with the smoother
 -- weights of Perlin 2002, "Improving noise") in the plane and in space, on
 -- the multi-level grid of "BlackHole.Noise.Lattice".
@@ -26,6 +28,7 @@ module BlackHole.Noise.PerlinG
     noise3,
     perlin2,
     perlin3,
+    perlin3Above,
 
     -- * With the caller's hashes
     noise2With,
@@ -74,7 +77,7 @@ import BlackHole.Noise.Lattice
     pointY3,
     pointZ3,
   )
-import BlackHole.Noise.Profile (Profile, sumLayers)
+import BlackHole.Noise.Profile (Profile, layers, profileBound, sumLayers)
 import BlackHole.Noise.SipHash (SipKey (..), sipHash2, sipHash3)
 import BlackHole.Vector.XY (XY (..))
 import qualified BlackHole.Vector.XY as XY
@@ -121,6 +124,20 @@ perlin3 :: Seed -> Profile -> XYZ -> Double
 perlin3 seed p v = case onGrid3 v of
   Nothing -> 0
   Just place -> runIdentity (sumLayers (\l -> Identity (plainNoise3 seed l place)) p)
+
+-- | @perlin3Above seed profile least place@: 'perlin3' where it is at least
+-- @least@, 'Nothing' elsewhere. Levels, coarse to fine, are looked at only as
+-- long as the rest could still make up for what is missing.
+perlin3Above :: Seed -> Profile -> Double -> XYZ -> Maybe Double
+perlin3Above seed p least v = case onGrid3 v of
+  Nothing -> if 0 >= least then Just 0 else Nothing
+  Just place ->
+    let go !total _ [] = if total >= least then Just total else Nothing
+        go !total rest ((l, amplitude) : finer)
+          | total + rest < least = Nothing
+          | otherwise = go (total + amplitude * plainNoise3 seed l place) (rest - abs amplitude) finer
+     in -- The margin is for the rounding of the sums.
+        go 0 (profileBound p + 1e-9) (layers p)
 
 -- | 'noise2' with the caller's hash of lattice points, in any monad: the same
 -- bits wherever the hashes agree with 'latticeHash2'.

@@ -56,13 +56,20 @@ traceRow :: Tracer -> Int -> Int -> MVector s Float -> ST s ()
 traceRow traced !width !row pixels = go 0
   where
     go !column
-      | column >= width = pure ()
-      | otherwise = do
-        let Radiance r g b = pixelRadiance traced column row
-        MVector.unsafeWrite pixels (3 * column) (realToFrac r)
-        MVector.unsafeWrite pixels (3 * column + 1) (realToFrac g)
-        MVector.unsafeWrite pixels (3 * column + 2) (realToFrac b)
+      | column + 3 <= width = do
+        let (p0, p1, p2) = threePixels traced column row
+        write column p0
+        write (column + 1) p1
+        write (column + 2) p2
+        go (column + 3)
+      | column < width = do
+        write column (pixelRadiance traced column row)
         go (column + 1)
+      | otherwise = pure ()
+    write column (Radiance r g b) = do
+      MVector.unsafeWrite pixels (3 * column) (realToFrac r)
+      MVector.unsafeWrite pixels (3 * column + 1) (realToFrac g)
+      MVector.unsafeWrite pixels (3 * column + 2) (realToFrac b)
 
 -- | What an 8-bit sRGB display is told: exposure, tone map, coding and dither.
 developFilm :: Workers -> Exposure -> ToneMap -> Dither -> Film -> IO (PixelArray Word8)

@@ -8,6 +8,7 @@ module BlackHole.Trace.Pixel
   ( Tracer,
     tracer,
     pixelRadiance,
+    threePixels,
     sightRadiance,
     samplePoint,
 
@@ -133,22 +134,65 @@ stepPhase (XY x y) = 0.5 + turnFraction (0.7548776662466927 * x + 0.569840290998
 -- | Mean radiance of a pixel (column and row from the top left, from 0) over
 -- its samples. Depends on the scene and the pixel alone.
 pixelRadiance :: Tracer -> Int -> Int -> Radiance
-pixelRadiance traced column row = go 0 black
+pixelRadiance traced column row = meanOver traced $ \index ->
+  sightRadiance traced (samplePoint (tracerScene traced) column row index)
+
+-- | The same of three pixels in a row, from a column on.
+threePixels :: Tracer -> Int -> Int -> (Radiance, Radiance, Radiance)
+threePixels traced column row = case sceneIntegrator (tracerScene traced) of
+  Leapfrogging -> go 0 black black black
+  _ -> (single column, single (column + 1), single (column + 2))
+  where
+    single c = pixelRadiance traced c row
+    !count = sceneSamples (tracerScene traced)
+    point index c = samplePoint (tracerScene traced) c row index
+    go !index !total0 !total1 !total2
+      | index < count =
+        let (r0, r1, r2) = threeSights traced (point index column) (point index (column + 1)) (point index (column + 2))
+         in go (index + 1) (total0 <+> r0) (total1 <+> r1) (total2 <+> r2)
+      | otherwise = (mean total0, mean total1, mean total2)
+    mean = scaleRadiance (1 / fromIntegral count)
+
+-- | 'sightRadiance' of three points, by three leapfrogs side by side.
+threeSights :: Tracer -> XY -> XY -> XY -> (Radiance, Radiance, Radiance)
+threeSights traced p0 p1 p2 = case (tracedSight traced p0, tracedSight traced p1, tracedSight traced p2) of
+  (Just s0, Just s1, Just s2) ->
+    let gathering sight = (sightPhoton sight, tracedGas traced (sightFrequency sight))
+        (f0, f1, f2) =
+          followThree
+            (sceneLeapfrog scene)
+            (sceneSpacetime scene)
+            (tracerRegion traced)
+            (gathering s0)
+            (gathering s1)
+            (gathering s2)
+            nothingYet
+     in (seen traced s0 f0, seen traced s1 f1, seen traced s2 f2)
+  _ -> (sightRadiance traced p0, sightRadiance traced p1, sightRadiance traced p2)
+  where
+    scene = tracerScene traced
+
+meanOver :: Tracer -> (Int -> Radiance) -> Radiance
+meanOver traced radianceOf = go 0 black
   where
     !count = sceneSamples (tracerScene traced)
     go !index !total
-      | index < count =
-        go (index + 1) (total <+> sightRadiance traced (samplePoint (tracerScene traced) column row index))
+      | index < count = go (index + 1) (total <+> radianceOf index)
       | otherwise = scaleRadiance (1 / fromIntegral count) total
+{-# INLINE meanOver #-}
 
 -- | Radiance that arrives at one point of the picture (pixels from the top
 -- left corner).
 sightRadiance :: Tracer -> XY -> Radiance
 sightRadiance traced point = case tracedSight traced point of
   Nothing -> black
-  Just sight -> case followLight traced point sight of
-    Followed fate (Gathered light transmittance) _ ->
-      light <+> scaleRadiance transmittance (tracedSky traced sight fate)
+  Just sight -> seen traced sight (followLight traced point sight)
+
+-- | The gas's light and what the sky adds to it.
+seen :: Tracer -> SightLine -> Followed Gathered -> Radiance
+seen traced sight (Followed fate (Gathered light transmittance) _) =
+  light <+> scaleRadiance transmittance (tracedSky traced sight fate)
+{-# INLINE seen #-}
 
 -- | The direction of sight through a point of the picture.
 tracedDirection :: Tracer -> XY -> XYZ

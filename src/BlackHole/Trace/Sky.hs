@@ -8,7 +8,7 @@ where
 import BlackHole.Light.BlackBodyTable (tabulatedColour)
 import BlackHole.Light.Radiance
 import BlackHole.Noise.Lattice (unitLevel)
-import BlackHole.Noise.PerlinG (noise3, perlin3)
+import BlackHole.Noise.PerlinG (noise3, perlin3Above)
 import BlackHole.Noise.Profile (normalised, octaves)
 import BlackHole.Physics.Angle (arcTangent2)
 import BlackHole.Scene.Sky
@@ -31,13 +31,13 @@ skyShader seed sky = case sky of
 starRadiance :: Word64 -> Stars -> Double -> XYZ -> Radiance
 starRadiance seed stars = \g direction ->
   let place = starFrequency stars *^ direction
-      above = starSharpness stars * (perlin3 fieldSeed profile place - starThreshold stars)
-      brightness = starBrightness stars / (1 + exp (negate above))
    in -- Four widths below the threshold a star is darker than 2 % of itself:
       -- cut there, so that the sky between the stars is black.
-      if above < -4
-        then black
-        else scaleRadiance brightness (light g place)
+      case perlin3Above fieldSeed profile (starThreshold stars - 4 / starSharpness stars) place of
+        Nothing -> black
+        Just value ->
+          let above = starSharpness stars * (value - starThreshold stars)
+           in scaleRadiance (starBrightness stars / (1 + exp (negate above))) (light g place)
   where
     profile = normalised (octaves unitLevel (starOctaves stars) 0.5)
     fieldSeed = purposeSeed seed StarField

@@ -20,19 +20,24 @@ spec = do
         [ closeTo (1 / 128 + 1e-9) (255 * s) (mean [fromIntegral (ditheredCode t s) | t <- tile channel])
           | channel <- [0, 1, 2]
         ]
-  it "keeps it over small areas too, ten times better than white noise" $
-    -- The variance of the mean over 8 by 8 pixels; independent thresholds have
-    -- 1/12 of a step squared each.
-    mean [(mean block - 0.5) ^ (2 :: Int) | block <- blocks] `shouldSatisfy` (< 1 / 12 / 64 / 10)
+  it "has less than a hundredth of white noise's power in coarse patterns" $
+    -- Independent thresholds have 1/12 at every frequency.
+    mean
+      [ power kx ky * 12
+        | kx <- [-3 .. 3],
+          ky <- [0 .. 3],
+          (ky, kx) > (0, 0)
+      ]
+      `shouldSatisfy` (< 0.01)
   it "has nothing in common between the channels" $
     mean (zipWith (\a b -> (a - 0.5) * (b - 0.5) * 12) (tile 0) (tile 1)) `shouldBeWithin` (0.05, 0)
   where
     side = [0 .. ditherTileSide - 1]
     tile channel = [ditherThreshold channel x y | y <- side, x <- side]
-    blocks =
-      [ [ditherThreshold 0 (8 * bx + x) (8 * by + y) | y <- [0 .. 7], x <- [0 .. 7]]
-        | by <- [0 .. 7],
-          bx <- [0 .. 7 :: Int]
-      ]
+    power :: Double -> Double -> Double
+    power kx ky =
+      let waves = [(t - 0.5, 2 * pi * (kx * fromIntegral x + ky * fromIntegral y) / 64) | (t, (y, x)) <- zip (tile 0) [(y, x) | y <- side, x <- side]]
+          along f = sum [t * f angle | (t, angle) <- waves] ** 2
+       in (along cos + along sin) / 4096
     mean :: [Double] -> Double
     mean values = sum values / fromIntegral (length values)
