@@ -203,11 +203,12 @@ inCrew threads action = do
 
 -- | Write the file that @--output@ names.
 store :: FilePath -> Lazy.ByteString -> IO ExitStatus
-store output bytes = do
-  written <- writeFileAtomically output bytes
-  case written of
-    Left problem -> complain CannotWrite ("--output: " ++ renderWriteProblem problem)
-    Right () -> pure Done
+store output bytes = writeFileAtomically output bytes >>= stored
+
+stored :: Either WriteProblem () -> IO ExitStatus
+stored written = case written of
+  Left problem -> complain CannotWrite ("--output: " ++ renderWriteProblem problem)
+  Right () -> pure Done
 
 unknownExtensionOf :: FilePath -> Problem
 unknownExtensionOf output =
@@ -229,14 +230,18 @@ join options = case (formatOf output, joinCoding options) of
       joined <- openTiles (joinTiles options)
       case joined of
         Left problems -> BadInput <$ mapM_ (complain BadInput) problems
-        Right (scene, tiles) -> do
-          light <- readPictureRows tiles (0, pictureHeight (scenePicture scene))
-          case light of
-            Nothing -> complain BadInput "a tile has changed while it was read"
-            Just film -> inCrew (joinThreads options) $ \crew ->
-              finishFilm crew programName format coding scene [] film >>= maybe (complain CannotWrite (noRoom output)) (store output)
+        Right (scene, tiles) -> inCrew (joinThreads options) $ \crew -> case streamed crew format coding scene tiles of
+          Just write -> writeAtomically output write >>= stored
+          Nothing -> do
+            light <- readPictureRows tiles (0, pictureHeight (scenePicture scene))
+            case light of
+              Nothing -> complain BadInput "a tile has changed while it was read"
+              Just film -> finishFilm crew programName format coding scene [] film >>= maybe (complain CannotWrite (noRoom output)) (store output)
   where
     output = joinOutput options
+    -- A PNG of pixels that do not depend on each other needs no more memory than
+    -- that of some rows.
+    streamed crew format coding scene tiles = finishBands crew programName format coding scene (readPictureRows tiles)
 
 -- | A film's frames, or what a folder of them lacks.
 animate :: AnimateOptions SceneOptions -> IO ExitStatus

@@ -6,6 +6,7 @@ module BlackHole.Render.Film
     exposeFilm,
     exposeRows,
     developFilm,
+    developRows,
     developFilmFinely,
     filmRadiance,
     faultyPixels,
@@ -73,7 +74,12 @@ traceRow traced !width !row pixels = go 0
 
 -- | What an 8-bit sRGB display is told: exposure, tone map, coding and dither.
 developFilm :: Workers -> Exposure -> ToneMap -> Dither -> Film -> IO (PixelArray Word8)
-developFilm workers exposure tone dither = mapRows workers developRow
+developFilm = developRows 0
+
+-- | The same for a band of a film whose first row is this one of the whole: the
+-- dither depends on the place.
+developRows :: Int -> Workers -> Exposure -> ToneMap -> Dither -> Film -> IO (PixelArray Word8)
+developRows first workers exposure tone dither = mapRows workers (developRow . (first +))
   where
     !prepared = developer exposure tone
     developRow :: Int -> Vector Float -> MVector s Word8 -> ST s ()

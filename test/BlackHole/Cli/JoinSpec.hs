@@ -19,6 +19,17 @@ spec = do
     run ["join", folder </> "2.tile", folder </> "3.tile", folder </> "1.tile", "-o", folder </> "joined.png"] `shouldReturn` ExitSuccess
     whole <- Bytes.readFile (folder </> "whole.png")
     Bytes.readFile (folder </> "joined.png") `shouldReturn` whole
+  it "does so in every format, and with bloom" . inFolder $ \folder -> do
+    let same arguments coding extension = do
+          run (small ++ arguments ++ coding ++ ["-o", folder </> "whole" ++ extension]) `shouldReturn` ExitSuccess
+          mapM_ (\i -> tile folder (small ++ arguments) i 2 `shouldReturn` ExitSuccess) [1, 2]
+          run (["join", folder </> "1.tile", folder </> "2.tile", "-o", folder </> "joined" ++ extension] ++ coding) `shouldReturn` ExitSuccess
+          whole <- Bytes.readFile (folder </> "whole" ++ extension)
+          Bytes.readFile (folder </> "joined" ++ extension) `shouldReturn` whole
+    same [] ["--bits", "16"] ".png"
+    same ["--bloom", "0.1"] [] ".png"
+    same [] ["--bits", "32"] ".exr"
+    same [] ["--quality", "80"] ".jpg"
   it "names tiles that are missing, of another scene, or damaged" . inFolder $ \folder -> do
     mapM_ (\i -> tile folder small i 3) [1 .. 3]
     let paths = [folder </> (show i ++ ".tile") | i <- [1 .. 3 :: Int]]
