@@ -15,8 +15,10 @@ build=$root/.build
 log=$build/log
 ghc=/usr/bin/ghc
 
+# Not every command needs it.
+# shellcheck disable=SC2034
 program_packages='ghc libghc-async-dev libghc-conduit-dev
-  libghc-juicypixels-dev libghc-libyaml-dev
+  libghc-cryptohash-sha256-dev libghc-juicypixels-dev libghc-libyaml-dev
   libghc-optparse-applicative-dev libghc-primitive-dev libghc-terminal-size-dev
   libghc-vector-dev'
 test_packages='libghc-hspec-dev libghc-quickcheck2-dev libghc-temporary-dev

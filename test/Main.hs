@@ -1,7 +1,20 @@
 -- | Runs every specification; the tree below mirrors @src@.
 module Main (main) where
 
+import qualified BlackHole.Animation.CameraPathSpec
+import qualified BlackHole.Animation.ClaimSpec
+import qualified BlackHole.Animation.DigestSpec
+import qualified BlackHole.Animation.ExposureSpec
+import qualified BlackHole.Animation.FilmFileSpec
+import qualified BlackHole.Animation.FilmSpec
+import qualified BlackHole.Animation.FrameNameSpec
+import qualified BlackHole.Animation.InterpolateSpec
+import qualified BlackHole.Animation.ProgressSpec
+import qualified BlackHole.Animation.QueueSpec
+import qualified BlackHole.Animation.VideoSpec
+import qualified BlackHole.Cli.AnimateSpec
 import qualified BlackHole.Cli.ExplainSpec
+import qualified BlackHole.Cli.JoinSpec
 import qualified BlackHole.Cli.JsonSpec
 import qualified BlackHole.Cli.OptionsSpec
 import qualified BlackHole.Cli.PhotonSpec
@@ -18,6 +31,7 @@ import qualified BlackHole.Image.DeflateSpec
 import qualified BlackHole.Image.FileSpec
 import qualified BlackHole.Image.GoldenSpec
 import qualified BlackHole.Image.PngSpec
+import qualified BlackHole.Image.TileFileSpec
 import qualified BlackHole.Light.BlackBodySpec
 import qualified BlackHole.Light.BlackBodyTableSpec
 import qualified BlackHole.Light.CieSpec
@@ -34,6 +48,7 @@ import qualified BlackHole.Noise.SipHashSpec
 import qualified BlackHole.Physics.CourseSpec
 import qualified BlackHole.Physics.EllipticSpec
 import qualified BlackHole.Physics.ExactPathSpec
+import qualified BlackHole.Physics.FreeFallSpec
 import qualified BlackHole.Physics.GasMotionSpec
 import qualified BlackHole.Physics.LeapfrogSpec
 import qualified BlackHole.Physics.ObserverSpec
@@ -46,6 +61,7 @@ import qualified BlackHole.Render.FilmSpec
 import qualified BlackHole.Render.PixelArraySpec
 import qualified BlackHole.Render.PixelRowsSpec
 import qualified BlackHole.Render.PixelShapeSpec
+import qualified BlackHole.Render.ShardSpec
 import qualified BlackHole.Render.SharedSpec
 import qualified BlackHole.Render.WorkersSpec
 import qualified BlackHole.Scene.CameraSpec
@@ -67,7 +83,20 @@ import Test.Hspec
 
 main :: IO ()
 main = hspec $ do
+  describe "BlackHole.Animation.CameraPath" BlackHole.Animation.CameraPathSpec.spec
+  describe "BlackHole.Animation.Claim" BlackHole.Animation.ClaimSpec.spec
+  describe "BlackHole.Animation.Digest" BlackHole.Animation.DigestSpec.spec
+  describe "BlackHole.Animation.Exposure" BlackHole.Animation.ExposureSpec.spec
+  describe "BlackHole.Animation.FilmFile" BlackHole.Animation.FilmFileSpec.spec
+  describe "BlackHole.Animation.Film" BlackHole.Animation.FilmSpec.spec
+  describe "BlackHole.Animation.FrameName" BlackHole.Animation.FrameNameSpec.spec
+  describe "BlackHole.Animation.Interpolate" BlackHole.Animation.InterpolateSpec.spec
+  describe "BlackHole.Animation.Progress" BlackHole.Animation.ProgressSpec.spec
+  describe "BlackHole.Animation.Queue" BlackHole.Animation.QueueSpec.spec
+  describe "BlackHole.Animation.Video" BlackHole.Animation.VideoSpec.spec
+  describe "BlackHole.Cli.Animate" BlackHole.Cli.AnimateSpec.spec
   describe "BlackHole.Cli.Explain" BlackHole.Cli.ExplainSpec.spec
+  describe "BlackHole.Cli.Join" BlackHole.Cli.JoinSpec.spec
   describe "BlackHole.Cli.Json" BlackHole.Cli.JsonSpec.spec
   describe "BlackHole.Cli.Options" BlackHole.Cli.OptionsSpec.spec
   describe "BlackHole.Cli.Photon" BlackHole.Cli.PhotonSpec.spec
@@ -84,6 +113,7 @@ main = hspec $ do
   describe "BlackHole.Image.File" BlackHole.Image.FileSpec.spec
   describe "BlackHole.Image.Golden" BlackHole.Image.GoldenSpec.spec
   describe "BlackHole.Image.Png" BlackHole.Image.PngSpec.spec
+  describe "BlackHole.Image.TileFile" BlackHole.Image.TileFileSpec.spec
   describe "BlackHole.Light.BlackBody" BlackHole.Light.BlackBodySpec.spec
   describe "BlackHole.Light.BlackBodyTable" BlackHole.Light.BlackBodyTableSpec.spec
   describe "BlackHole.Light.Cie" BlackHole.Light.CieSpec.spec
@@ -100,6 +130,7 @@ main = hspec $ do
   describe "BlackHole.Physics.Course" BlackHole.Physics.CourseSpec.spec
   describe "BlackHole.Physics.Elliptic" BlackHole.Physics.EllipticSpec.spec
   describe "BlackHole.Physics.ExactPath" BlackHole.Physics.ExactPathSpec.spec
+  describe "BlackHole.Physics.FreeFall" BlackHole.Physics.FreeFallSpec.spec
   describe "BlackHole.Physics.GasMotion" BlackHole.Physics.GasMotionSpec.spec
   describe "BlackHole.Physics.Leapfrog" BlackHole.Physics.LeapfrogSpec.spec
   describe "BlackHole.Physics.Observer" BlackHole.Physics.ObserverSpec.spec
@@ -112,6 +143,7 @@ main = hspec $ do
   describe "BlackHole.Render.PixelArray" BlackHole.Render.PixelArraySpec.spec
   describe "BlackHole.Render.PixelRows" BlackHole.Render.PixelRowsSpec.spec
   describe "BlackHole.Render.PixelShape" BlackHole.Render.PixelShapeSpec.spec
+  describe "BlackHole.Render.Shard" BlackHole.Render.ShardSpec.spec
   describe "BlackHole.Render.Shared" BlackHole.Render.SharedSpec.spec
   describe "BlackHole.Render.Workers" BlackHole.Render.WorkersSpec.spec
   describe "BlackHole.Scene.Camera" BlackHole.Scene.CameraSpec.spec

@@ -7,13 +7,17 @@ module BlackHole.Cli.Options
   )
 where
 
+import BlackHole.Cli.Animate (AnimateOptions, animateOptions)
+import BlackHole.Cli.CodingOptions (codingOptions)
+import BlackHole.Cli.Join (JoinOptions, joinOptions, tilePart)
 import BlackHole.Cli.Photon (PhotonOptions, photonOptions)
 import BlackHole.Cli.Rays (RaysOptions, raysOptions)
 import BlackHole.Cli.Read
 import BlackHole.Cli.SceneCommand (SceneCommand, sceneCommand)
 import BlackHole.Cli.SceneOptions (SceneOptions, sceneOptions)
 import BlackHole.Cli.SelfTest (SelfTestOptions, selfTestOptions)
-import BlackHole.Image.Coding (Coding (..))
+import BlackHole.Image.Coding (Coding)
+import BlackHole.Render.Shard (Shard)
 import Options.Applicative
 import Options.Applicative.Help (renderHelp, unChunk)
 import System.Exit (ExitCode (..))
@@ -22,6 +26,10 @@ import System.Exit (ExitCode (..))
 data Command
   = -- | Render one picture.
     Render RenderOptions
+  | -- | Join the tiles of a picture.
+    Join JoinOptions
+  | -- | Render the frames of a film.
+    Animate (AnimateOptions SceneOptions)
   | -- | Do something with scenes that is not rendering.
     Scenes SceneCommand
   | -- | Report on one light path.
@@ -43,6 +51,7 @@ data RenderOptions = RenderOptions
     renderPreview :: !Bool,
     renderThreads :: !(Maybe Int),
     renderPixel :: !(Maybe (Int, Int)),
+    renderTile :: !(Maybe Shard),
     renderOutput :: !FilePath
   }
   deriving (Eq, Show)
@@ -85,6 +94,18 @@ commandLine version =
                 <> footer "Example: blackhole render --width 1280 --inclination 75 --fov 40 -o hole.png"
           )
           <> command
+            "join"
+            ( info (Join <$> joinOptions) $
+                progDesc "Join the tiles of a picture: the file is the one that render would have made without --tile."
+                  <> footer "Example: blackhole join big-*.tile -o big.png"
+            )
+          <> command
+            "animate"
+            ( info (Animate <$> animateOptions sceneOptions) $
+                progDesc "Render the frames of a scene file with a section animation: those that are missing, stale or damaged, beside any number of other processes."
+                  <> footer "Example: blackhole animate scenes/orbit.yaml -o frames/%05d.png --video orbit.mp4"
+            )
+          <> command
             "scene"
             ( info (Scenes <$> sceneCommand) $
                 progDesc "Presets and scene files: list, show, check and print them, or print the schema for editors."
@@ -115,11 +136,9 @@ renderOptions =
   RenderOptions
     <$> sceneOptions
     <*> setting (strOption (long "from" <> metavar "PICTURE" <> help "Picture of this program whose scene to start from, in the place of a scene file"))
-    <*> ( Coding
-            <$> setting (option wholeNumber (long "bits" <> metavar "N" <> help "Bits per primary: PNG 8 or 16, TIFF 16 or 32, OpenEXR 16 or 32"))
-            <*> setting (option wholeNumber (long "quality" <> metavar "N" <> help "JPEG's quality, 1 to 100 (default: 92)"))
-        )
+    <*> codingOptions
     <*> toggle (long "preview" <> help "Draw the picture in the terminal, as large as that is, instead of writing a file")
     <*> setting (option wholeNumber (long "threads" <> metavar "N" <> help "Workers (default: one per core); the picture is the same for any number"))
     <*> setting (option pixelPlace (long "pixel" <> metavar "X,Y" <> help "Explain the colour of one pixel instead of rendering; 0,0 is the top left"))
+    <*> setting (option tilePart (long "tile" <> metavar "I/N" <> help "Render a band of the picture, part I of N, into a tile file (-o FILE.tile) for blackhole join"))
     <*> settingOr "blackhole.png" (strOption (long "output" <> short 'o' <> metavar "FILE" <> help "File to write: .png, .jpg, .tif, .hdr or .exr (default: blackhole.png)"))

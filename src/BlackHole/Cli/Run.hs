@@ -8,7 +8,10 @@ module BlackHole.Cli.Run
   )
 where
 
+import BlackHole.Cli.Animate
 import BlackHole.Cli.Explain (explanationLines, pixelProblems)
+import BlackHole.Cli.FilmScene (loadFilm)
+import BlackHole.Cli.Join
 import BlackHole.Cli.Options
 import BlackHole.Cli.Photon
 import BlackHole.Cli.Preview
@@ -21,19 +24,23 @@ import BlackHole.Image.Coding
 import BlackHole.Image.File (fileLabel)
 import BlackHole.Image.Finish
 import BlackHole.Image.Label
+import BlackHole.Image.TileFile
 import BlackHole.Render.Bloom
 import BlackHole.Render.Film
 import BlackHole.Render.PixelArray (backendName)
+import BlackHole.Render.Shard (shardRows)
 import BlackHole.Render.Workers
 import BlackHole.Scene.Camera (Picture (..))
+import BlackHole.Scene.File.SceneFile (printScene)
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Validate
 import BlackHole.SelfTest.Check (Check, checkHolds)
 import BlackHole.Trace.Explain (explainPixel)
 import Control.Applicative ((<|>))
 import Control.Exception (IOException, SomeAsyncException (..), SomeException, displayException, fromException, throwIO, try)
-import Control.Monad (when)
+import Control.Monad (void, when)
 import qualified Data.ByteString as Bytes
+import qualified Data.ByteString.Lazy as Lazy
 import Data.List (intercalate)
 import Data.Version (showVersion)
 import qualified Paths_blackhole as Package
@@ -56,6 +63,8 @@ data ExitStatus
     BadInput
   | -- | The result can't be written.
     CannotWrite
+  | -- | A film lacks frames, or its film file.
+    Unfinished
   deriving (Eq, Show, Enum, Bounded)
 
 -- | The table of exit codes.
@@ -66,6 +75,7 @@ exitCode status = case status of
   UsageError -> ExitFailure 2
   BadInput -> ExitFailure 3
   CannotWrite -> ExitFailure 4
+  Unfinished -> ExitFailure 5
 
 -- | Name, version, compiler and array back end.
 versionLine :: String
@@ -92,6 +102,8 @@ dispatch arguments = case parseArguments versionLine arguments of
   Inform text -> Done <$ putStrLn text
   Misused line -> complain UsageError (line ++ " (see: blackhole --help)")
   Run (Render options) -> render options
+  Run (Join options) -> join options
+  Run (Animate options) -> animate options
   Run (Scenes task) -> scenes task
   Run (Photon options) -> photon options
   Run (Rays options) -> rays options
@@ -137,23 +149,25 @@ render options
           [] -> explain scene pixel
           problems -> complainAll BadInput problems
         | renderPreview options -> withCrew (`preview` scene)
+        | Just part <- renderTile options -> case tileProblems part (scenePicture scene) of
+          [] -> ready (\crew -> tileTo crew part scene)
+          problems -> complainAll UsageError problems
         | otherwise -> case formatOf output of
-          Just format | [] <- codingProblem format coding -> do
-            writable <- checkWritable output
-            case writable of
-              Left problem -> complain CannotWrite ("--output: " ++ renderWriteProblem problem)
-              Right () -> withCrew (\crew -> renderTo crew format coding scene)
-          Just format -> complainAll UsageError [Problem option value range | (option, value, range) <- codingProblem format coding]
+          Just format -> case codingProblems format coding of
+            [] -> ready (\crew -> renderTo crew format coding scene)
+            problems -> complainAll UsageError problems
           Nothing -> complainAll UsageError [unknownExtension]
   where
     output = renderOutput options
-    withCrew action = do
-      crew <- maybe defaultWorkers pure (workers =<< renderThreads options)
-      withWorkers crew (action crew)
-    unknownExtension =
-      Problem "--output" ("'" ++ output ++ "'") ("a file name that ends in " ++ intercalate ", " (map fst formatExtensions))
+    withCrew = inCrew (renderThreads options)
+    ready action = do
+      writable <- checkWritable output
+      case writable of
+        Left problem -> complain CannotWrite ("--output: " ++ renderWriteProblem problem)
+        Right () -> withCrew action
+    unknownExtension = unknownExtensionOf output
     usageProblems =
-      [unknownExtension | Nothing <- [formatOf output]]
+      (if null (renderTile options) then [unknownExtension | Nothing <- [formatOf output]] else tileNameProblems output)
         ++ [ Problem "--threads" (show n) ("a whole number from 1 to " ++ show maximumWorkers)
              | Just n <- [renderThreads options],
                Nothing <- [workers n]
@@ -169,15 +183,90 @@ render options
       case exposed of
         Nothing -> untraceable
         Just film -> do
-          warnOfFaults film
-          file <- finishFilm crew programName format coding scene [] film
-          case file of
-            Nothing -> complain CannotWrite ("--output: " ++ output ++ ": this format has no room for so large a picture")
-            Just bytes -> do
-              written <- writeFileAtomically output bytes
-              case written of
-                Left problem -> complain CannotWrite ("--output: " ++ renderWriteProblem problem)
-                Right () -> pure Done
+          warnOfFaults 0 film
+          finishFilm crew programName format coding scene [] film >>= maybe (complain CannotWrite (noRoom output)) (store output)
+    tileTo crew part scene = do
+      interactive <- hIsTerminalDevice stderr
+      let (first, rows) = shardRows part (pictureHeight (scenePicture scene))
+      exposed <- exposeRows crew (if interactive then tellProgress rows else const (pure ())) scene (first, rows)
+      case exposed of
+        Nothing -> untraceable
+        Just band -> do
+          warnOfFaults first band
+          maybe untraceable (store output) (encodeTile (tileHeader programName part scene) band)
+
+-- | Run an action with as many workers as were asked for.
+inCrew :: Maybe Int -> (Workers -> IO a) -> IO a
+inCrew threads action = do
+  crew <- maybe defaultWorkers pure (workers =<< threads)
+  withWorkers crew (action crew)
+
+-- | Write the file that @--output@ names.
+store :: FilePath -> Lazy.ByteString -> IO ExitStatus
+store output bytes = writeFileAtomically output bytes >>= stored
+
+stored :: Either WriteProblem () -> IO ExitStatus
+stored written = case written of
+  Left problem -> complain CannotWrite ("--output: " ++ renderWriteProblem problem)
+  Right () -> pure Done
+
+unknownExtensionOf :: FilePath -> Problem
+unknownExtensionOf output =
+  Problem "--output" ("'" ++ output ++ "'") ("a file name that ends in " ++ intercalate ", " (map fst formatExtensions))
+
+codingProblems :: Format -> Coding -> [Problem]
+codingProblems format coding = [Problem option value range | (option, value, range) <- codingProblem format coding]
+
+noRoom :: FilePath -> String
+noRoom output = "--output: " ++ output ++ ": this format has no room for so large a picture"
+
+-- | The picture that tiles make together.
+join :: JoinOptions -> IO ExitStatus
+join options = case (formatOf output, joinCoding options) of
+  (Nothing, _) -> complainAll UsageError [unknownExtensionOf output]
+  (Just format, coding)
+    | problems@(_ : _) <- codingProblems format coding -> complainAll UsageError problems
+    | otherwise -> do
+      joined <- openTiles (joinTiles options)
+      case joined of
+        Left problems -> BadInput <$ mapM_ (complain BadInput) problems
+        Right (scene, tiles) -> inCrew (joinThreads options) $ \crew -> case streamed crew format coding scene tiles of
+          Just write -> writeAtomically output write >>= stored
+          Nothing -> do
+            light <- readPictureRows tiles (0, pictureHeight (scenePicture scene))
+            case light of
+              Nothing -> complain BadInput "a tile has changed while it was read"
+              Just film -> finishFilm crew programName format coding scene [] film >>= maybe (complain CannotWrite (noRoom output)) (store output)
+  where
+    output = joinOutput options
+    -- A PNG of pixels that do not depend on each other needs no more memory than
+    -- that of some rows.
+    streamed crew format coding scene tiles = finishBands crew programName format coding scene (readPictureRows tiles)
+
+-- | A film's frames, or what a folder of them lacks.
+animate :: AnimateOptions SceneOptions -> IO ExitStatus
+animate options = case (animateStatus options, formatOf (animateOutput options)) of
+  (Just folder, _) -> endStatus <$> showStatus say (animatePatience options) folder
+  (_, Nothing) -> complainAll UsageError [unknownExtensionOf (animateOutput options)]
+  (_, Just format)
+    | problems@(_ : _) <- codingProblems format coding -> complainAll UsageError problems
+    | otherwise -> do
+      loaded <- loadFilm (animateScene options)
+      case loaded of
+        Left problems -> BadInput <$ mapM_ say problems
+        Right Nothing -> complain BadInput "a film needs a scene file with a section animation (see docs/animation.md)"
+        Right (Just film) -> endStatus <$> runFilm options say describe (develop format) (adjustFilm options film)
+  where
+    say line = void (complain Done line)
+    coding = animateCoding options
+    describe = printScene [programName ++ ", " ++ show coding]
+    develop format crew scene = finishFilm crew programName format coding scene []
+    endStatus ending = case ending of
+      Complete -> Done
+      Incomplete -> Unfinished
+      WrongArguments -> UsageError
+      WrongFilm -> BadInput
+      CannotStart -> CannotWrite
 
 -- | The scene that is asked for, and how its file is to be coded: as the options
 -- say, or else as the picture was that the scene is taken from.
@@ -219,7 +308,7 @@ preview crew scene = do
   case exposed of
     Nothing -> untraceable
     Just film -> do
-      warnOfFaults film
+      warnOfFaults 0 film
       bloomed <- bloomFilm crew (sceneBloom scene) film
       codes <- developFilm crew (sceneExposure scene) (sceneToneMap scene) (sceneDither scene) bloomed
       Done <$ putStr (previewText (palette isTerminal environment) codes)
@@ -227,10 +316,12 @@ preview crew scene = do
 untraceable :: IO ExitStatus
 untraceable = complain InternalFault "the scene passed its checks but can't be traced"
 
-warnOfFaults :: Film -> IO ()
-warnOfFaults film = case faultyPixels film of
+-- | Warn of pixels without light that could be shown, in a film whose first row is
+-- this one of the picture.
+warnOfFaults :: Int -> Film -> IO ()
+warnOfFaults first film = case faultyPixels film of
   (n, Just (x, y)) ->
-    hPutStrLn stderr ("blackhole: warning: " ++ show n ++ " pixels have no finite radiance, the first at " ++ show x ++ "," ++ show y)
+    hPutStrLn stderr ("blackhole: warning: " ++ show n ++ " pixels have no finite radiance, the first at " ++ show x ++ "," ++ show (first + y))
   _ -> pure ()
 
 -- | Something about scenes, on standard output.

@@ -6,6 +6,8 @@ module BlackHole.Cli.SceneCommand
   )
 where
 
+import BlackHole.Animation.Film (filmFrames)
+import BlackHole.Cli.FilmScene
 import BlackHole.Cli.Json (renderJson)
 import BlackHole.Cli.SceneOptions
 import BlackHole.Cli.Schema (sceneSchema)
@@ -46,6 +48,10 @@ sceneText task = case task of
   ShowScene name -> pure $ case findPreset name of
     Just scene -> Right (printScene ["The preset " ++ name ++ ": " ++ describePreset name ++ "."] scene)
     Nothing -> Left [renderProblem (Problem "scene show" ("'" ++ name ++ "'") ("a preset" ++ suggestion name presetNames ++ "; there are: " ++ intercalate ", " presetNames))]
-  CheckScene file -> fmap (const (file ++ ": no problems\n")) <$> loadScene (SceneOptions (Just file) Nothing [])
+  CheckScene file -> do
+    film <- loadFilm (SceneOptions (Just file) Nothing [])
+    pure $ case film of
+      Right (Just ready) | faults@(_ : _) <- frameFaults ready [0 .. filmFrames ready - 1] -> Left (take maximumFaults faults)
+      _ -> (file ++ ": no problems\n") <$ film
   PrintScene options -> fmap (printScene ["A whole scene, with every setting."]) <$> loadScene options
   SceneSchema -> pure (Right (renderJson sceneSchema))

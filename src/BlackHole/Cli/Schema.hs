@@ -1,9 +1,11 @@
--- | The JSON Schema of scene files, from the table of fields.
+-- | The JSON Schema of scene files, from the table of fields and that of the
+-- section on films.
 module BlackHole.Cli.Schema
   ( sceneSchema,
   )
 where
 
+import BlackHole.Animation.FilmFile
 import BlackHole.Cli.Json
 import BlackHole.Scene.Field.Field
 import BlackHole.Scene.Field.Kind
@@ -19,7 +21,7 @@ sceneSchema =
     [ ("$schema", Text "http://json-schema.org/draft-07/schema#"),
       ("title", Text "A scene of blackhole")
     ]
-      ++ group [("preset", presetSchema)] [(splitOn '.' (fieldPath f), f) | f <- sceneFields]
+      ++ group [("preset", presetSchema), (animationKey, animationSchema)] [(splitOn '.' (fieldPath f), f) | f <- sceneFields]
   where
     presetSchema =
       Object
@@ -41,9 +43,52 @@ group first fields =
       below -> (name, Object (group [] below))
 
 fieldSchema :: Field -> Json
-fieldSchema f = Object (("description", Text (fieldDoc f)) : kind)
+fieldSchema f = valueSchema (fieldDoc f) (fieldKind f)
+
+-- The section that makes a film of a scene.
+animationSchema :: Json
+animationSchema =
+  Object
+    [ ("description", Text "What changes from frame to frame, for blackhole animate"),
+      ("type", Text "object"),
+      ("additionalProperties", Truth False),
+      ("properties", Object (map entry filmEntries ++ [("camera-path", pathSchema), ("keyframes", keyframesSchema)]))
+    ]
   where
-    kind = case fieldKind f of
+    entry e = (entryName e, valueSchema (entryDoc e) (entryKind e))
+    pathSchema =
+      Object
+        [ ("description", Text "How the camera moves, from wherever the scene and the keyframes have put it"),
+          ("oneOf", List (map pathKindSchema pathKinds))
+        ]
+    pathKindSchema (kind, doc, names) =
+      Object
+        [ ("title", Text (kind ++ ": " ++ doc)),
+          ("type", Text "object"),
+          ("additionalProperties", Truth False),
+          ("required", List [Text "kind"]),
+          ("properties", Object (("kind", Object [("const", Text kind)]) : [entry e | e <- pathEntries, entryName e `elem` names]))
+        ]
+    keyframesSchema =
+      Object
+        [ ("description", Text "Fields with their values at times in seconds"),
+          ("type", Text "object"),
+          ("additionalProperties", Truth False),
+          ("properties", Object [(fieldPath f, trackSchema f) | f <- sceneFields, isTrackable f])
+        ]
+    trackSchema f =
+      Object
+        [ ("description", Text (fieldDoc f)),
+          ("type", Text "object"),
+          ("additionalProperties", Truth False),
+          ("properties", Object (map entry trackEntries)),
+          ("patternProperties", Object [("^[-+]?[0-9.]+([eE][-+]?[0-9]+)?$", fieldSchema f)])
+        ]
+
+valueSchema :: String -> Kind -> Json
+valueSchema doc kind = Object (("description", Text doc) : ofKind)
+  where
+    ofKind = case kind of
       NumberKind quantity -> ("type", Text "number") : least (quantityLeast quantity) ++ most (quantityMost quantity)
       WholeKind low high _ -> [("type", Text "integer"), ("minimum", Whole low), ("maximum", Whole high)]
       SeedKind -> [("type", Text "integer"), ("minimum", Whole 0), ("exclusiveMaximum", Number 18446744073709551616)]

@@ -9,6 +9,7 @@
 -- waiting for the disk would take a library for each platform.)
 module BlackHole.Image.AtomicFile
   ( writeFileAtomically,
+    writeAtomically,
     checkWritable,
     WriteProblem (..),
     renderWriteProblem,
@@ -85,10 +86,14 @@ renderWriteProblem problem = map plain $ case problem of
 -- Any other exception, be it from the evaluation of the bytes or thrown to this
 -- thread, removes the temporary file and is rethrown.
 writeFileAtomically :: FilePath -> Lazy.ByteString -> IO (Either WriteProblem ())
-writeFileAtomically path bytes = locate path >>= either (pure . Left) write
+writeFileAtomically path bytes = writeAtomically path (`Lazy.hPut` bytes)
+
+-- | The same for an action that writes to a handle.
+writeAtomically :: FilePath -> (Handle -> IO ()) -> IO (Either WriteProblem ())
+writeAtomically path content = locate path >>= either (pure . Left) write
   where
     write (Direct device) =
-      refusalOf path $ withBinaryFile device AppendMode (`Lazy.hPut` bytes)
+      refusalOf path $ withBinaryFile device AppendMode content
     write (Replaced target) = mask $ \restore -> do
       opened <- openTemporary path target
       either (pure . Left) (refusalOf path . fill restore target) opened
@@ -100,7 +105,7 @@ writeFileAtomically path bytes = locate path >>= either (pure . Left) write
           -- Before the first byte, for a private file's sake. Some file systems
           -- have no permissions to set, which is no reason to lose a picture.
           ignoringRefusal $ copyPermissions target temporary
-          restore (Lazy.hPut handle bytes)
+          restore (content handle)
           hClose handle
           renameFile temporary target
 

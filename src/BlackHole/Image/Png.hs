@@ -9,6 +9,7 @@
 module BlackHole.Image.Png
   ( Codes (..),
     encodePng,
+    encodePngBands,
     pngLabel,
   )
 where
@@ -20,7 +21,7 @@ import BlackHole.Image.Label
 import BlackHole.Render.PixelArray (PixelArray, pixelArrayShape, toPixelVector)
 import BlackHole.Render.PixelShape
 import BlackHole.Render.Shared (mapShared)
-import BlackHole.Render.Workers (Workers)
+import BlackHole.Render.Workers (Workers, workersCount)
 import Data.Bits (complement, shiftR, xor, (.&.), (.|.))
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
@@ -45,10 +46,44 @@ data Codes
 -- that in 16 bits.
 encodePng :: Workers -> Label -> Codes -> IO Lazy.ByteString
 encodePng crew label codes = do
-  strips <- mapShared crew (pure . compressedStrip codes) (stripsOf (codesShape codes) (codeBytes codes))
-  let (sums, pieces) = unzip [(total, piece) | Strip total piece <- strips]
-      body = (zlibHeader : pieces) ++ [zlibTrailer (mconcat sums)]
-  pure . Builder.toLazyByteString $
+  strips <- mapShared crew (pure . compressedStrip codes) (stripsOf shape (codeBytes codes))
+  pure . Lazy.fromChunks $
+    pngStart label shape (codeBytes codes) : [piece | Strip _ piece <- strips] ++ [pngEnd (mconcat [total | Strip total _ <- strips])]
+  where
+    shape = codesShape codes
+
+-- | @encodePngBands workers label shape bytes rowsOf put@: the same file of a
+-- picture that need not be in memory as a whole. @rowsOf (first, count)@ gives its
+-- bands of rows one after the other, with so many bytes per number as was said; @put@
+-- takes the file's bytes. Some megabytes of pixels at a time. 'False', with a file
+-- that breaks off, as soon as a band is missing or of another shape.
+encodePngBands :: Workers -> Label -> PixelShape -> Int -> ((Int, Int) -> IO (Maybe Codes)) -> (ByteString -> IO ()) -> IO Bool
+encodePngBands crew label shape bytes rowsOf put = do
+  put (pngStart label shape bytes)
+  go mempty (inGroups (stripsOf shape bytes))
+  where
+    go !total [] = True <$ put (pngEnd total)
+    go !total (strips : rest) = do
+      let first = minimum [from | Rows from _ _ <- strips]
+          count = maximum [to | Rows _ to _ <- strips] - first
+      band <- rowsOf (first, count)
+      case band of
+        Just codes
+          | codesShape codes `fits` count,
+            codeBytes codes == bytes -> do
+            done <- mapShared crew (pure . compressedStrip codes) [Rows (from - first) (to - first) place | Rows from to place <- strips]
+            mapM_ (\(Strip _ piece) -> put piece) done
+            go (total <> mconcat [part | Strip part _ <- done]) rest
+        _ -> pure False
+    fits part count = (shapeWidth part, shapeHeight part, shapeChannels part) == (shapeWidth shape, count, shapeChannels shape)
+    inGroups strips = case splitAt (4 * workersCount crew) strips of
+      ([], _) -> []
+      (group, rest) -> group : inGroups rest
+
+-- | Everything before the compressed pixels, and the first bytes of their stream.
+pngStart :: Label -> PixelShape -> Int -> ByteString
+pngStart label shape bytes =
+  strict $
     Builder.byteString signature
       <> chunk "IHDR" (strict header)
       -- The signal is sRGB, to be shown as it is (perceptual intent).
@@ -56,15 +91,17 @@ encodePng crew label codes = do
       <> chunk "tEXt" (Bytes.concat [Characters.pack "Software\0", Characters.pack (labelSoftware label)])
       -- Not compressed, of no language.
       <> chunk "iTXt" (Bytes.concat [sceneKeyword, Characters.pack "\0\0\0\0\0", labelText label])
-      <> chunk "IDAT" (Bytes.concat body)
-      <> chunk "IEND" Bytes.empty
+      <> chunk "IDAT" zlibHeader
   where
-    shape = codesShape codes
     header =
       Builder.word32BE (fromIntegral (shapeWidth shape))
         <> Builder.word32BE (fromIntegral (shapeHeight shape))
         -- RGB, the only compression and filtering, no interlace.
-        <> foldMap Builder.word8 [8 * fromIntegral (codeBytes codes), 2, 0, 0, 0]
+        <> foldMap Builder.word8 [8 * fromIntegral bytes, 2, 0, 0, 0]
+
+-- | The stream's last bytes and the end of the file.
+pngEnd :: Adler32 -> ByteString
+pngEnd total = strict (chunk "IDAT" (zlibTrailer total) <> chunk "IEND" Bytes.empty)
 
 -- | The label of a PNG file that this program wrote.
 pngLabel :: ByteString -> Maybe Label
@@ -114,11 +151,13 @@ stripsOf shape bytes = go 0
       | row + rows >= height = [Rows row height Last]
       | otherwise = Rows row (row + rows) Inside : go (row + rows)
 
--- | A strip's check sum and its compressed bytes.
+-- | A strip's check sum and its compressed bytes, as a chunk of their own: a
+-- chunk's size has 31 bits, and whoever writes a huge picture need not wait for
+-- its end to know it.
 data Strip = Strip !Adler32 !ByteString
 
 compressedStrip :: Codes -> Rows -> Strip
-compressedStrip codes (Rows from to place) = Strip (adler32 filtered) (deflatePiece place filtered)
+compressedStrip codes (Rows from to place) = Strip (adler32 filtered) (strict (chunk "IDAT" (deflatePiece place filtered)))
   where
     rowLength = shapeRowLength (codesShape codes)
     rowBytes = rowLength * codeBytes codes

@@ -4,7 +4,9 @@
 module BlackHole.Render.Film
   ( Film,
     exposeFilm,
+    exposeRows,
     developFilm,
+    developRows,
     developFilmFinely,
     filmRadiance,
     faultyPixels,
@@ -35,10 +37,18 @@ type Film = PixelArray Float
 -- The same for any number of workers. 'Nothing' if the scene is not valid.
 exposeFilm :: Workers -> (Int -> IO ()) -> Scene -> IO (Maybe Film)
 exposeFilm workers progress scene =
-  case (,) <$> pixelShape width height 3 <*> tracer scene of
+  exposeRows workers progress scene (0, pictureHeight (scenePicture scene))
+
+-- | The same for a band of the picture: its first row and its number of rows
+-- (at least 1). The numbers are those that the whole film has there. 'Nothing'
+-- also if the picture has no such rows.
+exposeRows :: Workers -> (Int -> IO ()) -> Scene -> (Int, Int) -> IO (Maybe Film)
+exposeRows workers progress scene (first, rows)
+  | first < 0 || first > height - rows = pure Nothing
+  | otherwise = case (,) <$> pixelShape width rows 3 <*> tracer scene of
     Nothing -> pure Nothing
     Just (shape, traced) ->
-      Just <$> generateRows workers progress shape (traceRow traced width)
+      Just <$> generateRows workers progress shape (traceRow traced width . (first +))
   where
     Picture width height = scenePicture scene
 
@@ -64,7 +74,12 @@ traceRow traced !width !row pixels = go 0
 
 -- | What an 8-bit sRGB display is told: exposure, tone map, coding and dither.
 developFilm :: Workers -> Exposure -> ToneMap -> Dither -> Film -> IO (PixelArray Word8)
-developFilm workers exposure tone dither = mapRows workers developRow
+developFilm = developRows 0
+
+-- | The same for a band of a film whose first row is this one of the whole: the
+-- dither depends on the place.
+developRows :: Int -> Workers -> Exposure -> ToneMap -> Dither -> Film -> IO (PixelArray Word8)
+developRows first workers exposure tone dither = mapRows workers (developRow . (first +))
   where
     !prepared = developer exposure tone
     developRow :: Int -> Vector Float -> MVector s Word8 -> ST s ()

@@ -29,6 +29,15 @@ spec = do
         Strict.readFile target `shouldReturn` Strict.pack words8
         listDirectory folder `shouldReturn` ["hole.png"]
 
+    it "takes what an action writes, and nothing of an action that fails" . inFolder $ \folder -> do
+      let target = folder </> "hole.png"
+      writeAtomically target (\handle -> Strict.hPut handle former >> Strict.hPut handle former) `shouldReturn` Right ()
+      Strict.readFile target `shouldReturn` former <> former
+      failed <- writeAtomically target (\handle -> Strict.hPut handle (Lazy.toStrict latter) >> ioError (userError "no more"))
+      either renderWriteProblem (const "") failed `shouldSatisfy` ("no more" `isInfixOf`)
+      Strict.readFile target `shouldReturn` former <> former
+      listDirectory folder `shouldReturn` ["hole.png"]
+
     it "replaces a file" . inFolder $ \folder -> do
       let target = folder </> "hole.png"
       Strict.writeFile target former

@@ -7,8 +7,10 @@ import BlackHole.Render.PixelArray
 import BlackHole.Render.PixelShape
 import BlackHole.Render.Workers
 import Codec.Picture hiding (encodePng)
+import Control.Monad (forM_)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
+import Data.IORef
 import Data.Maybe (mapMaybe)
 import qualified Data.Vector.Storable as Vector
 import Data.Word (Word8)
@@ -21,7 +23,28 @@ spec = do
   it "has the same bytes for any number of workers" $ do
     files <- traverse (\crew -> encoded crew 500 400) (mapMaybe workers [1, 2, 3])
     files `shouldSatisfy` all (\file -> take 1 files == [file])
+  it "has the same bytes made of bands, of which it asks for all rows once" $
+    forM_ [(1, 1), (640, 360), (300, 3000), (90000, 7)] $ \(width, height) ->
+      forM_ (mapMaybe workers [1, 3]) $ \crew -> do
+        whole <- encoded crew width height
+        written <- newIORef []
+        asked <- newIORef []
+        let bandOf range@(first, count) = do
+              modifyIORef asked (range :)
+              pure $ do
+                shape <- pixelShape width count 3
+                Codes8 <$> fromPixelVector shape (Vector.slice (3 * width * first) (3 * width * count) (picture width height))
+        done <- maybe (pure False) (\shape -> encodePngBands crew label shape 1 bandOf (\bytes -> modifyIORef written (bytes :))) (pixelShape width height 3)
+        file <- readIORef written
+        ranges <- readIORef asked
+        (done, Lazy.fromChunks (reverse file) == whole) `shouldBe` (True, True)
+        concat [[first .. first + count - 1] | (first, count) <- reverse ranges] `shouldBe` [0 .. height - 1]
+  it "breaks off when a band is missing or has another shape" $
+    forM_ [const (pure Nothing), const (pure (Codes8 <$> (pixelShape 4 4 3 >>= \shape -> fromPixelVector shape (picture 4 4))))] $ \bandOf -> do
+      done <- maybe (pure True) (\shape -> encodePngBands oneWorker label shape 1 bandOf (const (pure ()))) (pixelShape 5 4 3)
+      done `shouldBe` False
   where
+    label = Label "spec" defaultCoding Bytes.empty
     roundTrip (width, height) = do
       file <- encoded oneWorker width height
       case decodePng (Lazy.toStrict file) of
@@ -31,7 +54,7 @@ spec = do
         _ -> expectationFailure "this is no 8-bit RGB PNG"
     encoded crew width height =
       case pixelShape width height 3 >>= \shape -> fromPixelVector shape (picture width height) of
-        Just pixels -> encodePng crew (Label "spec" defaultCoding Bytes.empty) (Codes8 pixels)
+        Just pixels -> encodePng crew label (Codes8 pixels)
         Nothing -> Lazy.empty <$ expectationFailure "not a picture"
     -- Gradients, black, and something like noise.
     picture :: Int -> Int -> Vector.Vector Word8

@@ -25,6 +25,13 @@ spec = do
   it "does not trace an invalid scene" $ do
     film <- exposeFilm oneWorker (const (pure ())) small {scenePicture = Picture 0 1}
     fmap faultyPixels film `shouldBe` Nothing
+  it "has the same light in a band as in the whole" $ do
+    whole <- exposeFilm oneWorker (const (pure ())) small
+    bands <- mapM (exposeRows oneWorker (const (pure ())) small) [(0, 5), (5, 1), (6, 21)]
+    fmap (Vector.concat . map toPixelVector) (sequence bands) `shouldBe` fmap toPixelVector whole
+  it "has no band beyond the picture" $ do
+    bands <- mapM (exposeRows oneWorker (const (pure ())) small) [(-1, 5), (27, 1), (20, 8), (3, 0)]
+    map (fmap toPixelVector) bands `shouldBe` [Nothing, Nothing, Nothing, Nothing]
 
 small :: Scene
 small = defaultScene {scenePicture = Picture 48 27, sceneSamples = 1}

@@ -6,6 +6,11 @@ module BlackHole.Scene.File.SceneFile
     parseSceneFile,
     readSettings,
     printScene,
+    otherSections,
+
+    -- * Single values
+    readNode,
+    nodeText,
   )
 where
 
@@ -44,7 +49,7 @@ parseSceneFile :: Bytes.ByteString -> Either YamlFault (SceneFile, [(Int, Proble
 parseSceneFile bytes = do
   tree <- parseYaml bytes
   case tree of
-    Just root -> Right (readSettings [] root)
+    Just root -> Right (readSettings otherSections root)
     Nothing -> Left (YamlFault 1 "there is nothing in the file")
 
 -- | The settings of a tree. The first argument names top-level keys that are
@@ -60,6 +65,10 @@ readSettings foreign' root = (SceneFile preset settings, problems)
 
 presetKey :: String
 presetKey = "preset"
+
+-- | Top-level keys that say nothing about a single picture.
+otherSections :: [String]
+otherSections = ["animation"]
 
 type Found = ([(Int, String, Value)], [(Int, Problem)])
 
@@ -107,7 +116,7 @@ pathOr whole' above = if null above then whole' else pathOf above
 
 -- | The keys that there may be below a path.
 childrenOf :: [String] -> [String]
-childrenOf above = [presetKey | null above] ++ nub (mapMaybe (fmap (takeWhile (/= '.')) . below) sceneFields)
+childrenOf above = (if null above then presetKey : otherSections else []) ++ nub (mapMaybe (fmap (takeWhile (/= '.')) . below) sceneFields)
   where
     below f = if null above then Just (fieldPath f) else stripPrefix (pathOf above ++ ".") (fieldPath f)
 

@@ -1,0 +1,315 @@
+{-# LANGUAGE ScopedTypeVariables #-}
+{-# LANGUAGE TupleSections #-}
+
+-- | Claims: which process is rendering a frame right now.
+--
+-- A claim is a small file that says who holds it. It is made complete under
+-- another name and then linked to its own, which succeeds for one process only,
+-- on network file systems too. The holder touches it now and then.
+--
+-- A claim whose holder is gone may be taken over:
+--
+-- * The holder was on this machine: its process number is free, or belongs to a
+--   process that was started at another time.
+-- * The holder was an earlier start of the same Slurm job, which Slurm has put
+--   back into the queue.
+-- * The holder is elsewhere, and the claim has not been touched for a while, by
+--   the clock of the file system (machines' own clocks may differ).
+--
+-- To remove a claim takes the folder's lock, which the system frees with its
+-- process, so that nobody removes the claim that another one has just made in the
+-- place of a dead one's.
+module BlackHole.Animation.Claim
+  ( Holder (..),
+    currentHolder,
+    holderName,
+    renderHolder,
+    parseHolder,
+    ClaimFolder (..),
+    claimFile,
+    Claimed (..),
+    takeClaim,
+    releaseClaim,
+    keepingAlive,
+    liveHolder,
+  )
+where
+
+import Control.Concurrent (threadDelay)
+import Control.Concurrent.Async (withAsync)
+import Control.Exception (IOException, bracket, catch, throwIO, try)
+import Control.Monad (forever, void)
+import qualified Data.ByteString as Bytes
+import qualified Data.ByteString.Char8 as Char8
+import Data.List (intercalate, stripPrefix)
+import Data.Maybe (fromMaybe, mapMaybe)
+import Foreign.C (throwErrnoIfMinus1, withCString)
+import GHC.IO.Handle.Lock (FileLockingNotSupported (..), LockMode (ExclusiveLock), hLock)
+import System.Directory (removeFile)
+import System.Environment (lookupEnv)
+import System.FilePath ((</>))
+import System.IO (IOMode (ReadWriteMode), hClose, openFile)
+import System.IO.Error (isAlreadyExistsError, isAlreadyInUseError, isDoesNotExistError)
+import System.Posix.Files (createLink, getFileStatus, linkCount, modificationTime, readSymbolicLink, touchFile)
+import System.Posix.Internals (c_close, c_open, o_CREAT, o_EXCL, o_WRONLY)
+import System.Posix.Process (getProcessID)
+import System.Posix.Signals (nullSignal, signalProcess)
+import System.Posix.Unistd (getSystemID, nodeName)
+import Text.Read (readMaybe)
+
+-- | A process that holds claims.
+data Holder = Holder
+  { holderHost :: !String,
+    -- | What else makes process numbers comparable: the machine's start and,
+    -- in a container, its own numbering.
+    holderBoot :: !String,
+    holderProcess :: !Int,
+    -- | When the process was started, in the system's own words.
+    holderStarted :: !String,
+    -- | The Slurm job that it belongs to, if any, and how often Slurm has
+    -- started that again.
+    holderJob :: !(Maybe (String, Int))
+  }
+  deriving (Eq, Show)
+
+-- | This process.
+currentHolder :: IO Holder
+currentHolder = do
+  host <- nodeName <$> getSystemID
+  boot <- quietly "" (concat . lines <$> readWhole "/proc/sys/kernel/random/boot_id")
+  space <- quietly "" (readSymbolicLink "/proc/self/ns/pid")
+  process <- fromIntegral <$> getProcessID
+  started <- processStart process
+  job <- lookupEnv "SLURM_JOB_ID"
+  restarts <- lookupEnv "SLURM_RESTART_COUNT"
+  pure
+    Holder
+      { holderHost = host,
+        holderBoot = boot ++ space,
+        holderProcess = process,
+        holderStarted = fromMaybe "" started,
+        holderJob = (,fromMaybe 0 (restarts >>= readMaybe)) <$> job
+      }
+
+-- | For people: process and machine.
+holderName :: Holder -> String
+holderName holder = "process " ++ show (holderProcess holder) ++ " on " ++ holderHost holder
+
+-- | For the claim's file: one line for each part.
+renderHolder :: Holder -> String
+renderHolder (Holder host boot process started job) =
+  unlines $
+    ["host " ++ host, "boot " ++ boot, "process " ++ show process, "started " ++ started]
+      ++ ["job " ++ show restarts ++ " " ++ name | Just (name, restarts) <- [job]]
+
+-- | Read what 'renderHolder' wrote.
+parseHolder :: String -> Maybe Holder
+parseHolder text = do
+  host <- field "host "
+  boot <- field "boot "
+  process <- field "process " >>= readMaybe
+  started <- field "started "
+  pure (Holder host boot process started (field "job " >>= job))
+  where
+    field name = case mapMaybe (stripPrefix name) (lines text) of
+      value : _ -> Just value
+      [] -> Nothing
+    job value = case break (== ' ') value of
+      (restarts, ' ' : name) -> (,) name <$> readMaybe restarts
+      _ -> Nothing
+
+-- | Where claims lie, who makes them here, and after how many seconds without
+-- a touch a claim from elsewhere counts as abandoned.
+data ClaimFolder = ClaimFolder
+  { claimFolderPath :: !FilePath,
+    claimFolderHolder :: !Holder,
+    claimFolderPatience :: !Double
+  }
+
+-- | The claim's file for something of that name.
+claimFile :: ClaimFolder -> String -> FilePath
+claimFile folder name = claimFolderPath folder </> (name ++ ".claim")
+
+-- | The outcome of asking for a claim.
+data Claimed
+  = -- | It is this process's now; the dead holder it was taken from, if any.
+    Claimed !(Maybe Holder)
+  | -- | Somebody holds it (unknown if the file is not legible).
+    HeldBy !(Maybe Holder)
+  deriving (Eq, Show)
+
+-- | Ask for a claim; does not wait for another holder. Throws what the file
+-- system says if no file can be made there.
+takeClaim :: ClaimFolder -> String -> IO Claimed
+takeClaim folder name = do
+  made <- makeExclusively folder path
+  if made
+    then pure (Claimed Nothing)
+    else do
+      found <- judge folder path
+      case found of
+        Alive holder -> pure (HeldBy holder)
+        _ -> locked folder $ do
+          -- Somebody may have been faster.
+          again <- judge folder path
+          case again of
+            Alive holder -> pure (HeldBy holder)
+            Abandoned holder -> removeQuietly path >> make holder
+            Absent -> make Nothing
+  where
+    path = claimFile folder name
+    make former = do
+      made <- makeExclusively folder path
+      pure (if made then Claimed former else HeldBy Nothing)
+
+-- | Give a claim back. One that has meanwhile been taken over stays.
+releaseClaim :: ClaimFolder -> String -> IO ()
+releaseClaim folder name = locked folder $ do
+  text <- quietly "" (readWhole path)
+  if parseHolder text == Just (claimFolderHolder folder) then removeQuietly path else pure ()
+  where
+    path = claimFile folder name
+
+-- | Touch a claim every few seconds while an action runs.
+keepingAlive :: ClaimFolder -> String -> IO a -> IO a
+keepingAlive folder name action = withAsync touching (const action)
+  where
+    touching = forever $ do
+      threadDelay (round (1e6 * max 0.05 (min 10 (claimFolderPatience folder / 5))))
+      quietly () (touchFile (claimFile folder name))
+
+-- | Who holds a claim, if anybody does who is not known to be gone.
+liveHolder :: ClaimFolder -> String -> IO (Maybe (Maybe Holder))
+liveHolder folder name = do
+  found <- judge folder (claimFile folder name)
+  pure $ case found of
+    Alive holder -> Just holder
+    _ -> Nothing
+
+data Judgement
+  = Absent
+  | Alive !(Maybe Holder)
+  | Abandoned !(Maybe Holder)
+
+judge :: ClaimFolder -> FilePath -> IO Judgement
+judge (ClaimFolder folder self patience) path = do
+  text <- try (readWhole path)
+  case text of
+    Left refusal
+      | isDoesNotExistError refusal -> pure Absent
+      | otherwise -> throwIO refusal
+    Right content -> case parseHolder content of
+      Just holder
+        -- A process has one name; a claim of its own is left from an
+        -- interrupted attempt.
+        | holder == self -> pure (Abandoned (Just holder))
+        | requeued holder -> pure (Abandoned (Just holder))
+        | comparable holder -> do
+          now <- processStart (holderProcess holder)
+          pure $ case now of
+            Just started | started == holderStarted holder -> Alive (Just holder)
+            _ -> Abandoned (Just holder)
+        | otherwise -> byAge (Just holder)
+      Nothing -> byAge Nothing
+  where
+    requeued holder = case (holderJob holder, holderJob self) of
+      (Just (job, restarts), Just (job', restarts')) -> job == job' && restarts < restarts'
+      _ -> False
+    comparable holder = holderHost holder == holderHost self && holderBoot holder == holderBoot self
+    byAge holder = do
+      touched <- try (modificationTime <$> getFileStatus path)
+      case touched of
+        Left refusal
+          | isDoesNotExistError refusal -> pure Absent
+          | otherwise -> throwIO (refusal :: IOException)
+        -- Where no clock can be read, nothing could be claimed either.
+        Right time -> quietly (Alive holder) $ do
+          now <- folderClock folder self
+          pure (if realToFrac (now - time) > patience then Abandoned holder else Alive holder)
+    -- What the file system takes for now.
+    folderClock at holder =
+      bracket
+        (writeFile probe "" >> pure probe)
+        removeQuietly
+        (fmap modificationTime . getFileStatus)
+      where
+        probe = at </> temporaryName "clock" holder
+
+-- | When a process was started, as far as the system tells; 'Nothing' if there
+-- is no such process.
+processStart :: Int -> IO (Maybe String)
+processStart process = do
+  stat <- try (readWhole ("/proc/" ++ show process ++ "/stat")) :: IO (Either IOException String)
+  case stat of
+    -- The name before the last parenthesis may hold anything; the state
+    -- follows it, and the start is the twentieth word from there.
+    Right text -> pure $ case words (afterLast ')' text) of
+      state : rest | state `notElem` ["Z", "X"], started : _ <- drop 18 rest -> Just started
+      _ -> Nothing
+    Left _ -> do
+      linux <- quietly False (True <$ readWhole "/proc/self/stat")
+      if linux then pure Nothing else answers
+  where
+    answers = quietly Nothing (Just "" <$ signalProcess nullSignal (fromIntegral process))
+    afterLast c text = case break (== c) text of
+      (_, _ : rest) | c `elem` rest -> afterLast c rest
+      (_, _ : rest) -> rest
+      (_, []) -> ""
+
+-- | Make a file with this process's name in it; 'False' if there is one.
+makeExclusively :: ClaimFolder -> FilePath -> IO Bool
+makeExclusively (ClaimFolder folder self _) path =
+  bracket (Bytes.writeFile temporary content >> pure temporary) removeQuietly $ \_ -> do
+    linked <- try (createLink temporary path)
+    case linked of
+      Right () -> pure True
+      Left refusal
+        -- A network's repeated answer may deny what the first attempt did.
+        | isAlreadyExistsError refusal -> (== 2) . linkCount <$> getFileStatus temporary
+        | otherwise -> withoutLinks
+  where
+    temporary = folder </> temporaryName "claim" self
+    content = Char8.pack (renderHolder self)
+    -- Some file systems know no links; a claim is then empty for a moment.
+    withoutLinks = do
+      made <- try (withCString path $ \name -> throwErrnoIfMinus1 "open" (c_open name (o_WRONLY + o_CREAT + o_EXCL) 0o644))
+      case made of
+        Right descriptor -> do
+          void (c_close descriptor)
+          Bytes.writeFile path content
+          pure True
+        Left refusal
+          | isAlreadyExistsError refusal -> pure False
+          | otherwise -> throwIO (refusal :: IOException)
+
+temporaryName :: String -> Holder -> String
+temporaryName purpose holder =
+  intercalate "." ["", purpose, filter (/= '/') (holderHost holder), take 8 (holderBoot holder), show (holderProcess holder)]
+
+-- | Hold the folder's lock. Where the file system has none, go on without: the
+-- claims' own exclusiveness is left.
+locked :: ClaimFolder -> IO a -> IO a
+locked (ClaimFolder folder _ _) action = bracket open hClose $ \handle ->
+  (hLock handle ExclusiveLock `catch` unsupported `catch` refused) >> action
+  where
+    -- The run-time system lets one thread only have a file open for writing.
+    open =
+      openFile (folder </> "lock") ReadWriteMode `catch` \refusal ->
+        if isAlreadyInUseError refusal then threadDelay 1000 >> open else throwIO refusal
+    unsupported :: FileLockingNotSupported -> IO ()
+    unsupported _ = pure ()
+    refused :: IOException -> IO ()
+    refused _ = pure ()
+
+removeQuietly :: FilePath -> IO ()
+removeQuietly = quietly () . removeFile
+
+quietly :: forall a. a -> IO a -> IO a
+quietly otherwise' action = action `catch` refused
+  where
+    refused :: IOException -> IO a
+    refused _ = pure otherwise'
+
+-- A small file, whatever its bytes.
+readWhole :: FilePath -> IO String
+readWhole = fmap Char8.unpack . Bytes.readFile

@@ -1,0 +1,94 @@
+-- | How far a film is, in words and bars.
+module BlackHole.Animation.Progress
+  ( Tally (..),
+    startTally,
+    framesPerSecond,
+    secondsLeft,
+    progressLine,
+    progressBar,
+    durationText,
+    frameRanges,
+  )
+where
+
+import Numeric (showFFloat)
+
+-- | What a run has done so far of the frames it was given.
+data Tally = Tally
+  { -- | Frames of this run in all.
+    tallyFrames :: !Int,
+    -- | Frames that were there already.
+    tallyFound :: !Int,
+    tallyRendered :: !Int,
+    tallyFailed :: !Int,
+    -- | Frames that other processes are at.
+    tallyElsewhere :: !Int,
+    -- | How much of the frame in work is done, 0 to 1.
+    tallyPart :: !Double,
+    -- | Since the first frame's rendering began.
+    tallySeconds :: !Double
+  }
+  deriving (Eq, Show)
+
+-- | Nothing done of some frames.
+startTally :: Int -> Tally
+startTally frames = Tally frames 0 0 0 0 0 0
+
+-- | Rendered frames over time; 'Nothing' before there is any to go by.
+framesPerSecond :: Tally -> Maybe Double
+framesPerSecond tally
+  | made > 0 && tallySeconds tally > 0 = Just (made / tallySeconds tally)
+  | otherwise = Nothing
+  where
+    made = fromIntegral (tallyRendered tally) + tallyPart tally
+
+-- | The time that the rest will take at the pace so far.
+secondsLeft :: Tally -> Maybe Double
+secondsLeft tally = (remaining /) <$> framesPerSecond tally
+  where
+    settled = tallyFound tally + tallyRendered tally + tallyFailed tally + tallyElsewhere tally
+    remaining = max 0 (fromIntegral (tallyFrames tally - settled) - tallyPart tally)
+
+-- | One line: frames done of all, the frame in work and its part, the pace, the
+-- time left.
+progressLine :: Maybe Int -> Tally -> String
+progressLine current tally =
+  concat
+    [ show (tallyFound tally + tallyRendered tally),
+      " of ",
+      show (tallyFrames tally),
+      " frames",
+      foldMap (\n -> ", frame " ++ show n ++ " " ++ show (floor (100 * tallyPart tally) :: Int) ++ " %") current,
+      foldMap (\f -> ", " ++ showFFloat (Just (if f < 10 then 2 else 0)) f " frames/s") (framesPerSecond tally),
+      foldMap (\s -> ", " ++ durationText s ++ " left") (secondsLeft tally),
+      if tallyFailed tally > 0 then ", " ++ show (tallyFailed tally) ++ " failed" else ""
+    ]
+
+-- | A bar of that many characters.
+progressBar :: Int -> Tally -> String
+progressBar width tally = "[" ++ replicate full '=' ++ replicate (width - full) ' ' ++ "]"
+  where
+    settled = fromIntegral (tallyFound tally + tallyRendered tally) + tallyPart tally
+    full = max 0 (min width (floor (fromIntegral width * settled / fromIntegral (max 1 (tallyFrames tally)) :: Double)))
+
+-- | Seconds as @M:SS@ or @H:MM:SS@.
+durationText :: Double -> String
+durationText seconds
+  | hours > 0 = show hours ++ ":" ++ two minutes ++ ":" ++ two rest
+  | otherwise = show minutes ++ ":" ++ two rest
+  where
+    total = round (max 0 (min 1e9 seconds)) :: Int
+    (hours, within) = total `quotRem` 3600
+    (minutes, rest) = within `quotRem` 60
+    two n = (if n < 10 then "0" else "") ++ show n
+
+-- | Frame numbers in growing order, with neighbours put together: @0-3, 7@.
+frameRanges :: [Int] -> String
+frameRanges [] = "none"
+frameRanges (first : rest) = go first first rest
+  where
+    go from to (n : more) | n == to + 1 = go from n more
+    go from to more =
+      (if from == to then show from else show from ++ "-" ++ show to) ++ case more of
+        [] -> ""
+        n : others -> ", " ++ go n n others

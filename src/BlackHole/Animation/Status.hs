@@ -1,0 +1,86 @@
+-- | What a folder of frames lacks, for whoever asks from outside.
+module BlackHole.Animation.Status
+  ( FilmStatus (..),
+    filmStatuses,
+    isComplete,
+    statusLines,
+  )
+where
+
+import BlackHole.Animation.Claim
+import BlackHole.Animation.FrameName
+import BlackHole.Animation.Ledger
+import BlackHole.Animation.Progress (frameRanges)
+
+-- | The frames of one film, each in one list only.
+data FilmStatus = FilmStatus
+  { statusName :: !FrameName,
+    statusDone :: ![Int],
+    -- | Those in work, with who is at them.
+    statusRunning :: ![(Int, Maybe Holder)],
+    statusMissing :: ![Int],
+    -- | Of another scene than the film's last start asked for.
+    statusStale :: ![Int],
+    statusDamaged :: ![Int]
+  }
+
+-- | All films in a folder, by the lists that their starts have left. Reads
+-- every finished frame once. Claims from other machines count as abandoned after
+-- the given seconds without a touch.
+filmStatuses :: FilePath -> Double -> IO [FilmStatus]
+filmStatuses folder patience = do
+  lists <- readFrameLists folder
+  holder <- currentHolder
+  mapM (status holder) lists
+  where
+    status holder (name, frames) = do
+      ledger <- openLedger name holder patience
+      found <- mapM (look ledger) frames
+      pure
+        FilmStatus
+          { statusName = name,
+            statusDone = [n | (n, Done) <- found],
+            statusRunning = [(n, who) | (n, Running who) <- found],
+            statusMissing = [n | (n, Lacking Missing) <- found],
+            statusStale = [n | (n, Lacking Stale) <- found],
+            statusDamaged = [n | (n, Lacking Damaged) <- found]
+          }
+    look ledger (n, digest) = do
+      condition <- frameCondition ledger n digest
+      case condition of
+        Finished _ -> pure (n, Done)
+        _ -> do
+          alive <- liveHolder (ledgerClaims ledger) (frameLabel ledger n)
+          pure (n, maybe (Lacking condition) Running alive)
+
+data Look
+  = Done
+  | Running !(Maybe Holder)
+  | Lacking !Condition
+
+-- | Whether all frames are done.
+isComplete :: FilmStatus -> Bool
+isComplete status =
+  null (statusRunning status) && null (statusMissing status) && null (statusStale status) && null (statusDamaged status)
+
+-- | The status for people: a line of counts, then what is not done.
+statusLines :: FilmStatus -> [String]
+statusLines status =
+  ( framePattern (statusName status) ++ ": " ++ show total ++ " frames, " ++ show (length (statusDone status)) ++ " done, "
+      ++ show (length (statusRunning status))
+      ++ " running, "
+      ++ show (length (statusMissing status))
+      ++ " missing, "
+      ++ show (length (statusStale status))
+      ++ " stale, "
+      ++ show (length (statusDamaged status))
+      ++ " damaged"
+  ) :
+  ["  running: " ++ show n ++ maybe "" ((" (" ++) . (++ ")") . holderName) who | (n, who) <- statusRunning status]
+    ++ concat
+      [ ["  " ++ what ++ ": " ++ frameRanges frames | not (null frames)]
+        | (what, frames) <- [("missing", statusMissing status), ("stale", statusStale status), ("damaged", statusDamaged status)]
+      ]
+  where
+    total =
+      sum (map length [statusDone status, map fst (statusRunning status), statusMissing status, statusStale status, statusDamaged status])

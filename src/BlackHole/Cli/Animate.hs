@@ -1,0 +1,262 @@
+-- | @blackhole animate@: a film's frames, beside other processes and across
+-- interruptions.
+module BlackHole.Cli.Animate
+  ( AnimateOptions (..),
+    ShardChoice (..),
+    animateOptions,
+    adjustFilm,
+    Ending (..),
+    runFilm,
+    showStatus,
+  )
+where
+
+import BlackHole.Animation.Claim (holderName)
+import BlackHole.Animation.Film
+import BlackHole.Animation.FrameName
+import BlackHole.Animation.Progress
+import BlackHole.Animation.Queue (Outcome (..))
+import BlackHole.Animation.Shoot
+import BlackHole.Animation.Status
+import BlackHole.Animation.Video
+import BlackHole.Cli.CodingOptions (codingOptions)
+import BlackHole.Cli.FilmScene (frameFaults, maximumFaults)
+import BlackHole.Cli.Read
+import BlackHole.Image.Coding (Coding)
+import qualified BlackHole.Render.Film as Light
+import BlackHole.Render.Shard
+import BlackHole.Render.Workers
+import BlackHole.Scene.Scene (Scene)
+import BlackHole.Scene.Validate
+import Control.Concurrent (myThreadId, throwTo)
+import Control.Exception (AsyncException (UserInterrupt), IOException, bracket, try)
+import Control.Monad (unless, when)
+import qualified Data.ByteString.Lazy as Lazy
+import Data.Char (isDigit, toLower)
+import Data.Foldable (fold)
+import Data.IORef (newIORef, readIORef, writeIORef)
+import Data.List (intercalate)
+import Data.Maybe (fromMaybe, listToMaybe)
+import GHC.Clock (getMonotonicTime)
+import Options.Applicative
+import System.Directory (doesDirectoryExist)
+import System.Environment (getEnvironment)
+import System.FilePath (takeExtension)
+import System.IO (hFlush, hIsTerminalDevice, hPutStr, hPutStrLn, stderr)
+import System.Posix.Signals (Handler (Catch), installHandler, sigTERM)
+import Text.Read (readMaybe)
+
+-- | The options of @blackhole animate@, with those of the scene.
+data AnimateOptions scene = AnimateOptions
+  { animateScene :: !scene,
+    -- | The frames' files, as 'parseFrameName' reads them.
+    animateOutput :: !String,
+    animateCoding :: !Coding,
+    -- | First and last frame; without a last one, all from the first on.
+    animateFrames :: !(Maybe (Int, Maybe Int)),
+    animateRate :: !(Maybe Double),
+    animateDuration :: !(Maybe Double),
+    animateShutter :: !(Maybe Double),
+    animateShutterSamples :: !(Maybe Int),
+    animateShard :: !(Maybe ShardChoice),
+    animateVideo :: !(Maybe FilePath),
+    animateThreads :: !(Maybe Int),
+    animatePatience :: !Double,
+    -- | Tell about this folder's films instead.
+    animateStatus :: !(Maybe FilePath)
+  }
+  deriving (Eq, Show)
+
+-- | Which part of a film to make.
+data ShardChoice
+  = TheShard !Shard
+  | -- | That of a task of a Slurm array job.
+    SlurmShard
+  deriving (Eq, Show)
+
+-- | The parser, around that of the scene's options.
+animateOptions :: Parser scene -> Parser (AnimateOptions scene)
+animateOptions scene =
+  AnimateOptions
+    <$> scene
+    <*> settingOr "frames/%05d.png" (strOption (long "output" <> short 'o' <> metavar "PATTERN" <> help "Frames' files, with a place for their number (default: frames/%05d.png)"))
+    <*> codingOptions
+    <*> setting (option frameRange (long "frames" <> metavar "A-B" <> help "Only these frames, counted from 0: A, A- or A-B"))
+    <*> setting (option number (long "fps" <> metavar "F" <> help "Frames per second; the film lasts as long as before"))
+    <*> setting (option number (long "duration" <> metavar "SECONDS" <> help "Length of the film"))
+    <*> setting (option number (long "shutter" <> metavar "PART" <> help "Motion blur: the part of a frame's time for which the shutter is open, 0 to 1"))
+    <*> setting (option wholeNumber (long "shutter-samples" <> metavar "N" <> help "Moments averaged in each frame with an open shutter; the time it takes grows with them"))
+    <*> setting (option shardChoice (long "shard" <> metavar "I/N|slurm" <> help "Only part I of N, every N-th frame; slurm: this array task's part"))
+    <*> setting (strOption (long "video" <> metavar "FILE" <> help ("Also make a film file of the frames with ffmpeg: " ++ intercalate ", " videoExtensions)))
+    <*> setting (option wholeNumber (long "threads" <> metavar "N" <> help "Workers (default: one per core); the frames are the same for any number"))
+    <*> settingOr 120 (option number (long "stale-after" <> metavar "SECONDS" <> help "Take over a frame of another machine that has given no sign of life for so long (default: 120)"))
+    <*> setting (strOption (long "status" <> metavar "DIR" <> help "Say which frames in a folder are done, running, missing or stale, instead of rendering; the exit code is 0 if all are done"))
+
+frameRange :: ReadM (Int, Maybe Int)
+frameRange = eitherReader $ \text -> case span isDigit text of
+  (first, "") | Just n <- count first -> Right (n, Just n)
+  (first, "-") | Just n <- count first -> Right (n, Nothing)
+  (first, '-' : final) | Just a <- count first, all isDigit final, Just b <- count final, a <= b -> Right (a, Just b)
+  _ -> Left ("'" ++ text ++ "' is not A, A- or A-B, frames counted from 0 with A up to B")
+  where
+    count digits
+      | length digits <= 9 = readMaybe digits
+      | otherwise = Nothing
+
+shardChoice :: ReadM ShardChoice
+shardChoice = eitherReader $ \text -> case (text, parseShard text) of
+  ("slurm", _) -> Right SlurmShard
+  (_, Just shard) -> Right (TheShard shard)
+  _ -> Left ("'" ++ text ++ "' is not I/N with I from 1 to N, and not slurm")
+
+-- | The film with what the options say of its frames.
+adjustFilm :: AnimateOptions scene -> Film -> Film
+adjustFilm options film =
+  film
+    { filmRate = rate,
+      filmFrames = case (animateDuration options, animateRate options) of
+        (Nothing, Nothing) -> filmFrames film
+        -- A rate that makes no sense is complained of by itself.
+        _ | rate > 0 -> round (max 0 (min 1e9 (duration * rate)))
+        _ -> filmFrames film,
+      filmShutter =
+        Shutter
+          (fromMaybe (shutterOpen shutter) (animateShutter options))
+          (fromMaybe (shutterSamples shutter) (animateShutterSamples options))
+    }
+  where
+    rate = fromMaybe (filmRate film) (animateRate options)
+    duration = fromMaybe (filmDuration film) (animateDuration options)
+    shutter = filmShutter film
+
+-- | How a film's run ended; what there was to say has been said.
+data Ending
+  = -- | All frames of this run are done, or in work elsewhere.
+    Complete
+  | -- | Some frames or the film file could not be made.
+    Incomplete
+  | -- | The arguments are wrong.
+    WrongArguments
+  | -- | The film is wrong.
+    WrongFilm
+  | -- | The frames or the film file cannot be written here.
+    CannotStart
+  deriving (Eq, Show)
+
+-- | Make the film's frames. The second argument says a line to the user; the
+-- third is equal for equal scenes and programs; the last makes a frame's file.
+runFilm ::
+  AnimateOptions scene ->
+  (String -> IO ()) ->
+  (Scene -> String) ->
+  (Workers -> Scene -> Light.Film -> IO (Maybe Lazy.ByteString)) ->
+  Film ->
+  IO Ending
+runFilm options say text develop film = do
+  environment <- getEnvironment
+  coder <- findCoder
+  crew <- maybe defaultWorkers pure (workers =<< animateThreads options)
+  case (usage, shardOf environment) of
+    (problems@(_ : _), _) -> WrongArguments <$ mapM_ (say . renderProblem) problems
+    (_, Left reason) -> WrongArguments <$ say ("--shard: " ++ reason)
+    (_, Right shard) -> case (filmProblems film, selected shard, parseFrameName (animateOutput options)) of
+      (problems@(_ : _), _, _) -> WrongFilm <$ mapM_ (say . renderProblem) problems
+      (_, _, Left wanted) -> WrongArguments <$ say ("--output: '" ++ animateOutput options ++ "' is not " ++ wanted)
+      (_, frames, Right name) -> case (frameFaults film frames, video coder) of
+        (problems@(_ : _), _) -> WrongFilm <$ mapM_ say (take maximumFaults problems)
+        (_, Just []) -> CannotStart <$ say "--video: ffmpeg is not installed (on Debian and Ubuntu: apt-get install ffmpeg); nothing has been rendered"
+        (_, coding) ->
+          interruptible . withWorkers crew $
+            run (Shooting film frames name (animatePatience options) crew (listToMaybe (fold coding)) text (develop crew))
+  where
+    usage =
+      [Problem "--video" ("'" ++ file ++ "'") ("a file name that ends in one of " ++ intercalate ", " videoExtensions) | Just file <- [animateVideo options], Nothing <- [videoKind file]]
+        ++ [Problem "--video" "a part of a film" "possible: make the film file with a run of all its frames, those that are done are not rendered again" | Just _ <- [animateVideo options], Just _ <- [animateShard options]]
+        ++ [Problem "--video" ("with frames in files like '" ++ animateOutput options ++ "'") "possible; name them .png" | map toLower (takeExtension (animateOutput options)) /= ".png", Just _ <- [animateVideo options]]
+        ++ [Problem "--threads" (show n) ("a whole number from 1 to " ++ show maximumWorkers) | Just n <- [animateThreads options], Nothing <- [workers n]]
+        ++ [Problem "--frames" (show from) ("a frame of a film of " ++ show (filmFrames film)) | Just (from, _) <- [animateFrames options], from >= filmFrames film]
+        ++ [Problem "--stale-after" (show (animatePatience options)) "a number of seconds from 1 on" | isNaN (animatePatience options) || animatePatience options < 1]
+    shardOf environment = case animateShard options of
+      Nothing -> Right wholeShard
+      Just (TheShard shard) -> Right shard
+      Just SlurmShard -> slurmShard (`lookup` environment)
+    selected shard = takeShard shard (range (animateFrames options))
+    range Nothing = [0 .. filmFrames film - 1]
+    range (Just (from, to)) = [from .. maybe id min to (filmFrames film - 1)]
+    video coder = do
+      file <- animateVideo options
+      kind <- videoKind file
+      pure [(program, kind, file) | Just program <- [coder]]
+    run shooting = do
+      teller <- newTeller say
+      shot <- try (shoot shooting teller)
+      clearLine
+      case shot of
+        Left refusal -> CannotStart <$ say ("--output: the frames cannot be written: " ++ show (refusal :: IOException))
+        Right done -> report done
+    report shot = do
+      say (summary (shotTally shot))
+      let elsewhere = [(n, holder) | (n, Elsewhere holder) <- shotOutcomes shot]
+          failed = [(n, reason) | (n, Failed reason) <- shotOutcomes shot]
+      unless (null elsewhere) $
+        say ("frames " ++ frameRanges (map fst elsewhere) ++ " are in work elsewhere" ++ whose [holder | (_, Just holder) <- elsewhere])
+      mapM_ (\(n, reason) -> say ("frame " ++ show n ++ " failed: " ++ reason)) failed
+      mapM_ (say . ("no film file: " ++) . (++ "; the frames are kept, and another run makes it of them")) (shotVideoFault shot)
+      pure (if null failed && null (shotVideoFault shot) then Complete else Incomplete)
+    whose holders = case holders of
+      holder : _ -> " (" ++ holderName holder ++ (if length holders > 1 then ", ..." else "") ++ ")"
+      [] -> ""
+    summary tally =
+      show (tallyFrames tally) ++ " frames: " ++ show (tallyRendered tally) ++ " rendered"
+        ++ (if tallyRendered tally > 0 then " in " ++ durationText (tallySeconds tally) else "")
+        ++ (if tallyFound tally > 0 then ", " ++ show (tallyFound tally) ++ " were done" else "")
+        ++ (if tallyFailed tally > 0 then ", " ++ show (tallyFailed tally) ++ " failed" else "")
+
+-- | Let a request to end be an interrupt, so that claims are given back and
+-- parts removed: batch systems send one before they kill.
+interruptible :: IO a -> IO a
+interruptible work = do
+  thread <- myThreadId
+  bracket
+    (installHandler sigTERM (Catch (throwTo thread UserInterrupt)) Nothing)
+    (\former -> installHandler sigTERM former Nothing)
+    (const work)
+
+-- | A listener that draws a bar on a terminal, and elsewhere writes a line every
+-- five seconds.
+newTeller :: (String -> IO ()) -> IO (Told -> IO ())
+newTeller say = do
+  terminal <- hIsTerminalDevice stderr
+  start <- getMonotonicTime
+  told <- newIORef (if terminal then start - 1 else start)
+  pure $ \news -> do
+    now <- getMonotonicTime
+    before <- readIORef told
+    case news of
+      Remark line -> clearLine >> say line
+      Progressed current tally
+        | terminal -> when (now - before >= 0.1) $ do
+          writeIORef told now
+          hPutStr stderr ("\r\ESC[K" ++ progressBar 24 tally ++ " " ++ progressLine current tally)
+          hFlush stderr
+        | otherwise -> when (now - before >= 5) $ do
+          writeIORef told now
+          hPutStrLn stderr (progressLine current tally)
+
+-- | Clear the bar from a terminal.
+clearLine :: IO ()
+clearLine = do
+  terminal <- hIsTerminalDevice stderr
+  when terminal $ hPutStr stderr "\r\ESC[K"
+
+-- | Print what a folder's films lack; whether there are any and all are
+-- complete. The first argument says a line of complaint.
+showStatus :: (String -> IO ()) -> Double -> FilePath -> IO Ending
+showStatus say patience folder = do
+  exists <- doesDirectoryExist folder
+  statuses <- if exists then filmStatuses folder patience else pure []
+  case statuses of
+    [] -> WrongFilm <$ say ("--status: there is no film in " ++ folder ++ (if exists then "" else ", which does not exist"))
+    _ -> do
+      mapM_ (mapM_ putStrLn . statusLines) statuses
+      pure (if all isComplete statuses then Complete else Incomplete)

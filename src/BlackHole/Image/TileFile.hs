@@ -1,0 +1,217 @@
+-- | Bands of a huge picture in files of their own, until they are joined.
+--
+-- A tile file holds the linear light of some rows as 32-bit floating-point
+-- numbers (least significant byte first), after a few lines of text that say
+-- which rows of which scene they are, and before the SHA-256 of everything up to
+-- there. Equal scenes have equal texts, so that files of different pictures can
+-- be told apart.
+module BlackHole.Image.TileFile
+  ( TileHeader (..),
+    tileRows,
+    encodeTile,
+    TileFile,
+    tileFilePath,
+    tileFileHeader,
+    openTile,
+    tileIntact,
+    readTileRows,
+    readPictureRows,
+    joinFaults,
+  )
+where
+
+import BlackHole.Render.Film (Film)
+import BlackHole.Render.PixelArray (fromPixelVector, pixelArrayShape, toPixelVector)
+import BlackHole.Render.PixelShape (pixelShape, shapeHeight, shapeWidth)
+import BlackHole.Render.Shard
+import qualified Crypto.Hash.SHA256 as SHA256
+import Data.Bits (shiftL, (.|.))
+import qualified Data.ByteString as Bytes
+import qualified Data.ByteString.Builder as Builder
+import qualified Data.ByteString.Char8 as Char8
+import qualified Data.ByteString.Lazy as Lazy
+import Data.ByteString.Unsafe (unsafeIndex)
+import Data.List (intercalate, sort, sortOn)
+import Data.Maybe (listToMaybe)
+import qualified Data.Vector.Storable as Vector
+import Data.Word (Word32)
+import GHC.Float (castWord32ToFloat)
+import System.IO (IOMode (ReadMode), SeekMode (AbsoluteSeek), hFileSize, hSeek, withBinaryFile)
+import Text.Read (readMaybe)
+
+-- | What a tile says of itself.
+data TileHeader = TileHeader
+  { tileShard :: !Shard,
+    -- | Width and height of the whole picture.
+    tilePicture :: !(Int, Int),
+    -- | Everything that the picture depends on, program version included, as
+    -- lines of text in UTF-8.
+    tileScene :: !Bytes.ByteString
+  }
+  deriving (Eq, Show)
+
+-- | The tile's first row and its number of rows.
+tileRows :: TileHeader -> (Int, Int)
+tileRows header = shardRows (tileShard header) (snd (tilePicture header))
+
+-- | The bytes of a tile file; 'Nothing' if the film has another size than the
+-- header's rows.
+encodeTile :: TileHeader -> Film -> Maybe Lazy.ByteString
+encodeTile header film
+  | (shapeWidth shape, shapeHeight shape) == (fst (tilePicture header), snd (tileRows header)) =
+    Just (content <> Lazy.fromStrict (SHA256.hashlazy content))
+  | otherwise = Nothing
+  where
+    shape = pixelArrayShape film
+    content =
+      Builder.toLazyByteString $
+        Builder.byteString (renderHeader header)
+          <> Vector.foldr (\light rest -> Builder.floatLE light <> rest) mempty (toPixelVector film)
+
+renderHeader :: TileHeader -> Bytes.ByteString
+renderHeader (TileHeader shard (width, height) scene) =
+  Char8.pack (unlines [magic, "tile " ++ renderShard shard, "picture " ++ show width ++ " " ++ show height, "scene " ++ show (Bytes.length scene)]) <> scene
+
+magic :: String
+magic = "blackhole tile 1"
+
+-- | A tile file that has been looked at, and where its light begins.
+data TileFile = TileFile
+  { -- | Where it is.
+    tileFilePath :: !FilePath,
+    -- | What it says of itself.
+    tileFileHeader :: !TileHeader,
+    tileFileStart :: !Integer
+  }
+
+-- | Look at a file. On the left, why it is no complete tile. Throws what the
+-- file system says.
+openTile :: FilePath -> IO (Either String TileFile)
+openTile path = withBinaryFile path ReadMode $ \handle -> do
+  start <- Bytes.hGet handle 256
+  size <- hFileSize handle
+  case splitHeader start of
+    Nothing -> pure (Left "not a tile file")
+    Just (shard, picture, skipped, textLength) -> do
+      hSeek handle AbsoluteSeek (toInteger skipped)
+      text <- Bytes.hGet handle textLength
+      let header = TileHeader shard picture text
+          begin = toInteger (skipped + textLength)
+          wanted = begin + 12 * toInteger (fst picture) * toInteger (snd (tileRows header)) + 32
+      pure $
+        if size == wanted
+          then Right (TileFile path header begin)
+          else Left ("incomplete: " ++ show size ++ " bytes instead of " ++ show wanted)
+  where
+    splitHeader bytes = case Char8.lines bytes of
+      m : t : p : s : _
+        | m == Char8.pack magic,
+          ["tile", shard] <- words (Char8.unpack t),
+          ["picture", width, height] <- words (Char8.unpack p),
+          ["scene", size] <- words (Char8.unpack s) -> do
+          part <- parseShard shard
+          w <- readMaybe width
+          h <- readMaybe height
+          n <- readMaybe size
+          if w < 1 || h < 1 || w > 10000000 || h > 10000000 || n < 0 || n > 10000000
+            then Nothing
+            else Just (part, (w, h), sum (map ((+ 1) . Bytes.length) [m, t, p, s]), n)
+      _ -> Nothing
+
+-- | Whether the file's bytes are those that were written. Reads all of it, in
+-- constant memory.
+tileIntact :: TileFile -> IO Bool
+tileIntact tile = withBinaryFile (tileFilePath tile) ReadMode $ \handle -> do
+  size <- hFileSize handle
+  let go context left
+        | left <= 0 = do
+          written <- Bytes.hGet handle 32
+          pure (written == SHA256.finalize context)
+        | otherwise = do
+          chunk <- Bytes.hGetSome handle (fromInteger (min 262144 left))
+          if Bytes.null chunk
+            then pure False
+            else do
+              let next = SHA256.update context chunk
+              next `seq` go next (left - toInteger (Bytes.length chunk))
+  go SHA256.init (size - 32)
+
+-- | Some rows of the tile, counted from its own first one: from which, how many.
+-- 'Nothing' if it has no such rows.
+readTileRows :: TileFile -> (Int, Int) -> IO (Maybe Film)
+readTileRows tile (first, rows)
+  | first < 0 || rows < 1 || first + rows > snd (tileRows header) = pure Nothing
+  | otherwise = withBinaryFile (tileFilePath tile) ReadMode $ \handle -> do
+    hSeek handle AbsoluteSeek (tileFileStart tile + 12 * toInteger width * toInteger first)
+    bytes <- Bytes.hGet handle (12 * width * rows)
+    pure $
+      if Bytes.length bytes < 12 * width * rows
+        then Nothing
+        else do
+          shape <- pixelShape width rows 3
+          fromPixelVector shape (Vector.generate (3 * width * rows) (floatAt bytes))
+  where
+    header = tileFileHeader tile
+    (width, _) = tilePicture header
+    floatAt bytes i = castWord32ToFloat (at 0 .|. at 1 `shiftL` 8 .|. at 2 `shiftL` 16 .|. at 3 `shiftL` 24)
+      where
+        at k = fromIntegral (unsafeIndex bytes (4 * i + k)) :: Word32
+
+-- | Some rows of the whole picture, from which and how many, out of the tiles
+-- that hold them, which must be without faults ('joinFaults'). 'Nothing' if the
+-- picture has no such rows, or a file has become shorter.
+readPictureRows :: [TileFile] -> (Int, Int) -> IO (Maybe Film)
+readPictureRows tiles (first, rows) = do
+  parts <- sequence <$> mapM part (sortOn (fst . tileRows . tileFileHeader) overlapping)
+  pure $ do
+    films <- parts
+    width <- listToMaybe [fst (tilePicture (tileFileHeader tile)) | tile <- tiles]
+    shape <- pixelShape width rows 3
+    fromPixelVector shape (Vector.concat (map toPixelVector films))
+  where
+    overlapping = filter (\tile -> let (from, count) = span' tile in count > 0 && from + count > first && from < first + rows) tiles
+    span' = tileRows . tileFileHeader
+    part tile =
+      let (from, count) = span' tile
+          start = max 0 (first - from)
+       in readTileRows tile (start, min count (first + rows - from) - start)
+
+-- | Everything for which tiles cannot be joined: none of them, tiles of another
+-- picture than the first one's, parts that are there twice, parts that are not.
+joinFaults :: [(FilePath, TileHeader)] -> [String]
+joinFaults [] = ["there are no tiles to join"]
+joinFaults tiles@((firstPath, first) : _)
+  | not (null foreign') = foreign'
+  | otherwise = twice ++ missing
+  where
+    foreign' =
+      [ path ++ " belongs to another picture than " ++ firstPath ++ ": " ++ difference header
+        | (path, header) <- tiles,
+          different header
+      ]
+    different header = (count header, tilePicture header, tileScene header) /= (count first, tilePicture first, tileScene first)
+    difference header
+      | tilePicture header /= tilePicture first = size header ++ " pixels instead of " ++ size first
+      | count header /= count first = "one of " ++ show (count header) ++ " tiles instead of " ++ show (count first)
+      | otherwise = case [(a, b) | (a, b) <- zip (Char8.lines (tileScene header)) (Char8.lines (tileScene first)), a /= b] of
+        (a, b) : _ -> trimmed a ++ " instead of " ++ trimmed b
+        [] -> "another scene"
+    size header = show (fst (tilePicture header)) ++ " x " ++ show (snd (tilePicture header))
+    trimmed = unwords . words . Char8.unpack
+    count = shardCount . tileShard
+    parts = sort [(shardIndex (tileShard header), path) | (path, header) <- tiles]
+    twice =
+      [ "tile " ++ renderShard (Shard i (count first)) ++ " is there twice: " ++ a ++ " and " ++ b
+        | ((i, a), (j, b)) <- zip parts (drop 1 parts),
+          i == j
+      ]
+    missing = case [renderShard (Shard i (count first)) | i <- absent [1 .. count first] (map fst parts)] of
+      [] -> []
+      [one] -> ["tile " ++ one ++ " is missing"]
+      several -> ["tiles " ++ intercalate ", " (take 20 several) ++ (if length several > 20 then ", ..." else "") ++ " are missing"]
+    absent (i : is) (p : ps)
+      | p < i = absent (i : is) ps
+      | p == i = absent is ps
+      | otherwise = i : absent is (p : ps)
+    absent is [] = is
+    absent [] _ = []

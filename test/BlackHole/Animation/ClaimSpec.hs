@@ -1,0 +1,92 @@
+module BlackHole.Animation.ClaimSpec (spec) where
+
+import BlackHole.Animation.Claim
+import Control.Concurrent (threadDelay)
+import Control.Concurrent.Async (forConcurrently)
+import Control.Monad (forM_)
+import Data.Time.Clock (addUTCTime)
+import System.Directory
+import System.IO.Temp (withSystemTempDirectory)
+import System.Process (createProcess, getPid, proc, waitForProcess)
+import Test.Hspec
+
+spec :: Spec
+spec = do
+  it "can be written and read again" $ do
+    self <- currentHolder
+    parseHolder (renderHolder self) `shouldBe` Just self
+    let inJob = self {holderJob = Just ("17_3", 2)}
+    parseHolder (renderHolder inJob) `shouldBe` Just inJob
+  it "is given to one of many who ask at the same time" . inFolder $ \folder ->
+    forM_ [1 .. 30 :: Int] $ \n -> do
+      outcomes <- forConcurrently [1 .. 8] $ \i -> takeClaim (folder (elsewhere i) 60) (show n)
+      length [() | Claimed _ <- outcomes] `shouldBe` 1
+  it "is left to a holder who lives, and free again when he gives it back" . inFolder $ \folder -> do
+    self <- currentHolder
+    takeClaim (folder self 60) "a" `shouldReturn` Claimed Nothing
+    takeClaim (folder (elsewhere 1) 60) "a" `shouldReturn` HeldBy (Just self)
+    liveHolder (folder (elsewhere 1) 60) "a" `shouldReturn` Just (Just self)
+    releaseClaim (folder self 60) "a"
+    liveHolder (folder (elsewhere 1) 60) "a" `shouldReturn` Nothing
+    takeClaim (folder (elsewhere 1) 60) "a" `shouldReturn` Claimed Nothing
+  it "is not given back by anybody but its holder" . inFolder $ \folder -> do
+    takeClaim (folder (elsewhere 1) 60) "a" `shouldReturn` Claimed Nothing
+    releaseClaim (folder (elsewhere 2) 60) "a"
+    liveHolder (folder (elsewhere 2) 60) "a" `shouldReturn` Just (Just (elsewhere 1))
+  it "is taken from a process of this machine that is gone" . inFolder $ \folder -> do
+    self <- currentHolder
+    gone <- deadProcess
+    let dead = self {holderProcess = gone, holderStarted = "1"}
+    takeClaim (folder dead 60) "a" `shouldReturn` Claimed Nothing
+    takeClaim (folder (self {holderStarted = "0"}) 60) "a" `shouldReturn` Claimed (Just dead)
+  it "is taken from a process whose number another one has now" . inFolder $ \folder -> do
+    self <- currentHolder
+    let earlier = self {holderStarted = "1"}
+    takeClaim (folder earlier 60) "a" `shouldReturn` Claimed Nothing
+    takeClaim (folder self 60) "a" `shouldReturn` Claimed (Just earlier)
+  it "is taken from an earlier start of the same Slurm job, and of no other" . inFolder $ \folder -> do
+    let start job n = (elsewhere n) {holderJob = Just (job, n)}
+    takeClaim (folder (start "17" 0) 60) "a" `shouldReturn` Claimed Nothing
+    takeClaim (folder (start "18" 1) 60) "a" `shouldReturn` HeldBy (Just (start "17" 0))
+    takeClaim (folder (start "17" 1) 60) "a" `shouldReturn` Claimed (Just (start "17" 0))
+  it "is taken from another machine only when it has not been touched for a while" . inFolder $ \folder -> do
+    takeClaim (folder (elsewhere 1) 60) "a" `shouldReturn` Claimed Nothing
+    age 50 (claimFile (folder (elsewhere 1) 60) "a")
+    takeClaim (folder (elsewhere 2) 60) "a" `shouldReturn` HeldBy (Just (elsewhere 1))
+    age 20 (claimFile (folder (elsewhere 1) 60) "a")
+    takeClaim (folder (elsewhere 2) 60) "a" `shouldReturn` Claimed (Just (elsewhere 1))
+  it "is kept by touching it" . inFolder $ \folder -> do
+    let mine = folder (elsewhere 1) 0.5
+    takeClaim mine "a" `shouldReturn` Claimed Nothing
+    keepingAlive mine "a" $ do
+      age 100 (claimFile mine "a")
+      threadDelay 300000
+      takeClaim (folder (elsewhere 2) 60) "a" `shouldReturn` HeldBy (Just (elsewhere 1))
+  it "goes to one only of many who find it abandoned at the same time" . inFolder $ \folder ->
+    forM_ [1 .. 30 :: Int] $ \n -> do
+      takeClaim (folder (elsewhere 0) 60) (show n) `shouldReturn` Claimed Nothing
+      age 100 (claimFile (folder (elsewhere 0) 60) (show n))
+      outcomes <- forConcurrently [1 .. 8] $ \i -> takeClaim (folder (elsewhere i) 60) (show n)
+      length [() | Claimed _ <- outcomes] `shouldBe` 1
+  it "counts as held when it is not legible, until it is old" . inFolder $ \folder -> do
+    let mine = folder (elsewhere 1) 60
+    writeFile (claimFile mine "a") "\255"
+    takeClaim mine "a" `shouldReturn` HeldBy Nothing
+    age 100 (claimFile mine "a")
+    takeClaim mine "a" `shouldReturn` Claimed Nothing
+  it "leaves nothing but the lock behind" . inFolder $ \folder -> do
+    let mine = folder (elsewhere 1) 60
+    _ <- takeClaim mine "a"
+    _ <- takeClaim (folder (elsewhere 2) 60) "a"
+    releaseClaim mine "a"
+    listDirectory (claimFolderPath mine) `shouldReturn` ["lock"]
+  where
+    inFolder check = withSystemTempDirectory "blackhole-spec" (check . ClaimFolder)
+    elsewhere :: Int -> Holder
+    elsewhere n = Holder ("host" ++ show n) "boot" 4711 "1" Nothing
+    age seconds path = getModificationTime path >>= setModificationTime path . addUTCTime (negate seconds)
+    deadProcess = do
+      (_, _, _, process) <- createProcess (proc "true" [])
+      pid <- getPid process
+      _ <- waitForProcess process
+      pure (maybe 0 fromIntegral pid)

@@ -1,0 +1,65 @@
+module BlackHole.Animation.VideoSpec (spec) where
+
+import BlackHole.Animation.Video
+import Data.List (isInfixOf)
+import System.Directory
+import System.FilePath ((</>))
+import System.IO.Temp (withSystemTempDirectory)
+import Test.Hspec
+
+spec :: Spec
+spec = do
+  it "knows films by their extension" $
+    map videoKind ["a.mp4", "b.WebM", "c.gif", "d.avi", "mp4"] `shouldBe` [Just Mp4, Just WebM, Just Gif, Nothing, Nothing]
+  it "reads PNG files from a pipe and never asks" $ do
+    let arguments = ffmpegArguments Mp4 23.976 "-o.mp4"
+    arguments `shouldContain` ["-framerate", "23.976", "-c:v", "png", "-i", "-"]
+    arguments `shouldContain` ["-y"]
+    -- A name that begins with a dash or holds a colon is a file's all the same.
+    last' arguments `shouldBe` "file:-o.mp4"
+  -- A coder of three lines stands for ffmpeg where its fate is to be known.
+  it "sends all frames, in order, and shows the film when it is complete" . inFolder $ \folder -> do
+    coder <- script folder "for last; do :; done; cat >\"${last#file:}\""
+    frames <- mapM (frame folder) [0 .. 9]
+    video <- started coder (folder </> "film.mp4")
+    mapM_ (feedVideo video) frames
+    doesFileExist (folder </> "film.mp4") `shouldReturn` False
+    finishVideo video `shouldReturn` Right ()
+    readFile (folder </> "film.mp4") `shouldReturn` concatMap picture [0 .. 9]
+    leftOver folder `shouldReturn` []
+  it "says what happened to a coder that dies, keeps the former film, and leaves nothing" . inFolder $ \folder -> do
+    coder <- script folder "head -c 5 >/dev/null; echo 'no such codec' >&2; exit 7"
+    frames <- mapM (frame folder) [0 .. 9]
+    writeFile (folder </> "film.mp4") "former"
+    video <- started coder (folder </> "film.mp4")
+    mapM_ (feedVideo video) (concat (replicate 2000 frames))
+    outcome <- finishVideo video
+    outcome `shouldSatisfy` either (\reason -> "code 7" `isInfixOf` reason && "no such codec" `isInfixOf` reason) (const False)
+    readFile (folder </> "film.mp4") `shouldReturn` "former"
+    mapM readFile frames `shouldReturn` map picture [0 .. 9]
+    leftOver folder `shouldReturn` []
+  it "ends the coder and leaves nothing when the film is given up" . inFolder $ \folder -> do
+    coder <- script folder "exec sleep 1000"
+    video <- started coder (folder </> "film.mp4")
+    abandonVideo video
+    doesFileExist (folder </> "film.mp4") `shouldReturn` False
+    leftOver folder `shouldReturn` []
+  it "says so when there is no such program" . inFolder $ \folder -> do
+    outcome <- startVideo (folder </> "nothing") Gif 24 (folder </> "film.gif")
+    either (const True) (const False) outcome `shouldBe` True
+    leftOver folder `shouldReturn` []
+  where
+    inFolder = withSystemTempDirectory "blackhole-spec"
+    picture n = "frame " ++ show (n :: Int) ++ "\n"
+    frame folder n = do
+      let file = folder </> (show n ++ ".png")
+      writeFile file (picture n)
+      pure file
+    script folder text = do
+      let file = folder </> "coder"
+      writeFile file ("#!/bin/sh\n" ++ text ++ "\n")
+      getPermissions file >>= setPermissions file . setOwnerExecutable True
+      pure file
+    started coder file = startVideo coder Mp4 24 file >>= either fail pure
+    leftOver folder = filter (isInfixOf "blackhole-") <$> listDirectory folder
+    last' = foldl (const id) ""

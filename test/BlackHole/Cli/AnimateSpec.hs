@@ -1,0 +1,85 @@
+module BlackHole.Cli.AnimateSpec (spec) where
+
+import BlackHole.Animation.Film
+import BlackHole.Cli.Animate
+import BlackHole.Cli.FilmScene
+import BlackHole.Cli.Run
+import BlackHole.Cli.SceneOptions
+import BlackHole.Scene.Preset
+import qualified Data.ByteString as Bytes
+import qualified Data.ByteString.Char8 as Char8
+import Data.List (isPrefixOf)
+import Options.Applicative
+import System.Directory
+import System.Exit (ExitCode (..))
+import System.FilePath ((</>))
+import System.IO.Temp (withSystemTempDirectory)
+import Test.Hspec
+
+spec :: Spec
+spec = do
+  it "makes each frame as render would make its scene" . inFolder $ \folder -> do
+    writeFilm folder ["animation: {frames: 3, fps: 1, keyframes: {camera.azimuth: {0: 90, 2: 100}}}"]
+    run ["animate", folder </> "film.yaml", "-o", folder </> "%d.png"] `shouldReturn` ExitSuccess
+    run ["render", folder </> "film.yaml", "--azimuth", "95", "-o", folder </> "alone.png"] `shouldReturn` ExitSuccess
+    alone <- Bytes.readFile (folder </> "alone.png")
+    Bytes.readFile (folder </> "1.png") `shouldReturn` alone
+    first <- Bytes.readFile (folder </> "0.png")
+    (first == alone) `shouldBe` False
+  it "renders a shard, a range, and then the rest" . inFolder $ \folder -> do
+    writeFilm folder ["animation: {frames: 5, camera-path: {kind: orbit}}"]
+    let frames arguments = run (["animate", folder </> "film.yaml", "-o", folder </> "f" </> "%d.png"] ++ arguments)
+        there = filter ((/= '.') . headOr '.') <$> listDirectory (folder </> "f")
+    frames ["--shard", "2/3"] `shouldReturn` ExitSuccess
+    there >>= (`shouldMatchList` ["1.png", "4.png"])
+    run ["animate", "--status", folder </> "f"] `shouldReturn` ExitFailure 5
+    frames ["--frames", "2-3"] `shouldReturn` ExitSuccess
+    there >>= (`shouldMatchList` ["1.png", "2.png", "3.png", "4.png"])
+    time <- getModificationTime (folder </> "f" </> "1.png")
+    frames [] `shouldReturn` ExitSuccess
+    getModificationTime (folder </> "f" </> "1.png") `shouldReturn` time
+    run ["animate", "--status", folder </> "f"] `shouldReturn` ExitSuccess
+  it "goes on after a frame that cannot be written, and says so by its exit code" . inFolder $ \folder -> do
+    writeFilm folder ["animation: {frames: 3}"]
+    createDirectoryIfMissing True (folder </> "f" </> "1.png")
+    run ["animate", folder </> "film.yaml", "-o", folder </> "f" </> "%d.png"] `shouldReturn` ExitFailure 5
+    mapM (\n -> doesFileExist (folder </> "f" </> (show n ++ ".png"))) [0 :: Int, 1, 2] `shouldReturn` [True, False, True]
+  describe "mistakes" $ do
+    fails 3 [] ["animation: {frames: 3, fsp: 3}"]
+    fails 3 [] ["camera: {azimut: 3}", "animation: {frames: 3}"]
+    fails 3 [] ["animation: {frames: 3, keyframes: {camera.distance: {0: 3, 0.05: 0.5}}}"]
+    fails 3 [] []
+    fails 3 ["--fps", "0"] ["animation: {frames: 3}"]
+    fails 3 ["--shutter", "1.5"] ["animation: {frames: 3}"]
+    fails 2 ["--frames", "3"] ["animation: {frames: 3}"]
+    fails 2 ["--frames", "2-1"] ["animation: {frames: 3}"]
+    fails 2 ["--shard", "4/3"] ["animation: {frames: 3}"]
+    fails 2 ["--video", "film.avi"] ["animation: {frames: 3}"]
+    fails 2 ["--video", "film.mp4", "--shard", "1/3"] ["animation: {frames: 3}"]
+    fails 2 ["--threads", "0"] ["animation: {frames: 3}"]
+    fails 2 ["--stale-after", "0"] ["animation: {frames: 3}"]
+    it "says what is wrong with many frames once" $
+      case resolveFilm (SceneOptions (Just "f.yaml") Nothing []) (Just (Char8.pack "animation: {frames: 48, keyframes: {camera.distance: {0: 10, 1: 0.5}}}")) of
+        Right (Just film) -> map (takeWhile (/= ':')) (frameFaults film [0 .. 47]) `shouldBe` ["frame 23", "frames 24-47"]
+        other -> expectationFailure (either unlines (const "no film") other)
+    it "puts the scene's mistakes beside the film's" $
+      case resolveFilm (SceneOptions (Just "f.yaml") Nothing []) (Just (Char8.pack "camera: {roll: left}\nanimation: {frames: 0}")) of
+        Left problems -> map (takeWhile (/= ' ')) problems `shouldBe` ["f.yaml:1:", "f.yaml:2:"]
+        Right _ -> expectationFailure "taken"
+  describe "adjustFilm" $ do
+    it "keeps a film's length at another rate" $ adjusted ["--fps", "48"] `shouldBe` Just (96, 48)
+    it "takes another length" $ adjusted ["--duration", "0.5"] `shouldBe` Just (12, 24)
+    it "takes both" $ adjusted ["--duration", "3", "--fps", "10"] `shouldBe` Just (30, 10)
+    it "leaves the film alone otherwise" $ adjusted [] `shouldBe` Just (48, 24)
+  where
+    inFolder = withSystemTempDirectory "blackhole-spec"
+    writeFilm folder text = writeFile (folder </> "film.yaml") (unlines (["image: {width: 16}", "sampling: {samples: 1}"] ++ text))
+    headOr = foldr const
+    fails code arguments text =
+      it (unwords ("animate" : arguments ++ text) ++ " exits with " ++ show code ++ " and writes nothing") . inFolder $ \folder -> do
+        writeFilm folder text
+        run (["animate", folder </> "film.yaml", "-o", folder </> "%d.png"] ++ arguments) `shouldReturn` ExitFailure code
+        filter (not . ("film" `isPrefixOf`)) <$> listDirectory folder `shouldReturn` []
+    adjusted arguments =
+      (\options -> let film = adjustFilm options (stillFilm defaultScene) in (filmFrames film, filmRate film))
+        <$> getParseResult (execParserPure defaultPrefs (info (animateOptions (pure ())) mempty) arguments)
