@@ -5,10 +5,9 @@ import BlackHole.Animation.Digest
 import BlackHole.Animation.FrameName
 import BlackHole.Animation.Ledger
 import BlackHole.Animation.Queue
-import Control.Concurrent (forkIO, killThread, newEmptyMVar, putMVar, takeMVar, threadDelay)
+import Control.Concurrent (forkFinally, killThread, newEmptyMVar, putMVar, takeMVar, threadDelay)
 import Control.Concurrent.Async (concurrently)
 import Control.Exception (ErrorCall (..), throwIO)
-import Control.Monad (void)
 import qualified Data.ByteString.Lazy.Char8 as Lazy
 import Data.IORef
 import Data.List (sort)
@@ -69,9 +68,11 @@ spec = do
     ledger <- ledgerOf folder "one"
     begun <- newEmptyMVar
     let endless _ = putMVar begun () >> threadDelay 100000000 >> pure (Left "late")
-    thread <- forkIO (void (working ledger endless "v1" [0]))
+    ended <- newEmptyMVar
+    thread <- forkFinally (working ledger endless "v1" [0]) (const (putMVar ended ()))
     takeMVar begun
     killThread thread
+    takeMVar ended
     other <- ledgerOf folder "two"
     takeClaim (ledgerClaims other) (frameLabel other 0) `shouldReturn` Claimed Nothing
   it "leaves the frames, their records and the lock, and no parts" . inFolder $ \folder -> do
