@@ -104,9 +104,10 @@ followSwept space table region phase (Photon place velocity) gather = start
                 let half = min widest (arcSine (steepest v / tilt))
                     refined side = min widest (arcSine (steepest (max 0 (expansionValue path (offset + side))) / tilt))
                     -- The interval's ends: where the gas's height depends on
-                    -- the radius, from the radius found there.
+                    -- the radius, from the radius found there, unless it varies
+                    -- so much within the interval that one look is no proof.
                     (before, after)
-                      | height <= 0 || widest > 0.2 = (widest, widest)
+                      | height <= 0 || widest > 0.2 || height * abs (expansionSlope path offset) > 0.25 * tilt = (widest, widest)
                       | otherwise = (refined (negate half), refined half)
                  in cells n phase (max 0 (angle - before)) (min lastAngle (angle + after)) (angle + pi) state
     widest = arcSine (min 1 (steepestAll / tilt))
