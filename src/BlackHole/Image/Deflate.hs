@@ -16,7 +16,7 @@ where
 
 import BlackHole.Image.Checksum
 import BlackHole.Image.Huffman
-import Data.Bits (shiftL, shiftR, (.&.), (.|.))
+import Data.Bits (shiftL, shiftR, unsafeShiftL, unsafeShiftR, (.&.), (.|.))
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Builder as Builder
@@ -89,26 +89,20 @@ tokenCounts bytes = unsafeDupablePerformIO $ do
 -- | Go through the bytes token by token: with each byte that is sent as it is,
 -- and with each run's length.
 eachToken :: Ptr Word8 -> Int -> s -> (s -> Int -> IO s) -> (s -> Int -> IO s) -> IO s
-eachToken !start !size state literal run
-  | size <= 0 = pure state
-  | otherwise = do
-    first <- at 0
-    state' <- literal state (fromIntegral first)
-    go state' first 1
+eachToken !start !size state literal run = go state (-1) 0
   where
-    at :: Int -> IO Word8
-    at = peekByteOff start
+    at :: Int -> IO Int
+    at i = fromIntegral <$> (peekByteOff start i :: IO Word8)
+    -- What is passed in is called in one place each, so that it is inlined there
+    -- and the state stays in registers. No byte comes before the first.
     go !s !before !i
       | i >= size = pure s
       | otherwise = do
         byte <- at i
-        if byte == before
-          then do
-            end <- runEnd before (i + 1) (min size (i + longestRun))
-            if end - i >= 3
-              then run s (end - i) >>= \s' -> go s' before end
-              else literal s (fromIntegral byte) >>= \s' -> go s' byte (i + 1)
-          else literal s (fromIntegral byte) >>= \s' -> go s' byte (i + 1)
+        end <- if byte == before then runEnd before (i + 1) (min size (i + longestRun)) else pure i
+        if end - i >= 3
+          then run s (end - i) >>= \s' -> go s' before end
+          else literal s byte >>= \s' -> go s' byte (i + 1)
     -- Where the run stops, or the limit; eight bytes at a time where it can.
     runEnd !before !i !end
       | i + 8 <= end = do
@@ -179,17 +173,17 @@ emit place bytes (Code lengths tokens) out = do
   where
     token writer t =
       let packed = U.unsafeIndex tokens t
-       in put writer (packed `shiftR` 5) (packed .&. 31)
+       in put writer (packed `unsafeShiftR` 5) (packed .&. 31)
     {-# INLINE token #-}
     -- At most 31 bits wait, and at most 32 come: no bit is lost.
     put :: Writer -> Int -> Int -> IO Writer
     put (Writer at waiting count) bits n
       | count' >= 32 = do
         pokeByteOff out at (littleEndian32 (fromIntegral waiting'))
-        pure (Writer (at + 4) (waiting' `shiftR` 32) (count' - 32))
+        pure (Writer (at + 4) (waiting' `unsafeShiftR` 32) (count' - 32))
       | otherwise = pure (Writer at waiting' count')
       where
-        waiting' = waiting .|. (fromIntegral bits `shiftL` count)
+        waiting' = waiting .|. (fromIntegral bits `unsafeShiftL` count)
         count' = count + n
     {-# INLINE put #-}
     byte :: Int -> Word64 -> IO ()

@@ -297,7 +297,10 @@ longestNearGas (ReportSteps l0 _) region
 
 -- | The greatest height at which there is gas.
 tallestHeight :: Region -> Double
-tallestHeight region = halfHeightAt region (regionRadius region)
+tallestHeight region
+  -- Without a flare the radius may be infinite.
+  | regionFlare region == 0 = regionHalfHeight region
+  | otherwise = halfHeightAt region (regionRadius region)
 
 followAlone ::
   Leapfrog ->

@@ -47,6 +47,13 @@ data Disk = Disk
     diskTurbulence :: !Double,
     -- | Turbulence features from one radius to @e@ times it.
     diskTurbulenceFrequency :: !Double,
+    -- | Octaves of the turbulence, each twice as fine and 0.6 times as strong.
+    diskTurbulenceOctaves :: !Int,
+    -- | How far the noise that displaces the arms bends the turbulence, in
+    -- cells of its coarsest octave.
+    diskTurbulenceWarp :: !Double,
+    -- | The time to which the gas has moved, in units of r_s/c.
+    diskTime :: !Double,
     -- | How the gas shines.
     diskColour :: !DiskColour
   }
@@ -88,6 +95,9 @@ reportDisk =
       diskArmNoiseOctaves = 5,
       diskTurbulence = 0,
       diskTurbulenceFrequency = 1,
+      diskTurbulenceOctaves = 4,
+      diskTurbulenceWarp = 0,
+      diskTime = 0,
       diskColour = HueRamp
     }
 
@@ -110,6 +120,9 @@ defaultDisk =
       diskArmNoiseOctaves = 1,
       diskTurbulence = 3.2,
       diskTurbulenceFrequency = 12,
+      diskTurbulenceOctaves = 4,
+      diskTurbulenceWarp = 1,
+      diskTime = 0,
       diskColour = BlackBody 4500
     }
 

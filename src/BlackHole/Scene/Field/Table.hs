@@ -86,6 +86,8 @@ sceneFields =
     choice Disk "disk.colour" "a way to colour the gas" [(False, "hue-ramp", "yellow inside to red outside, without physics"), (True, "black-body", "by its temperature")] "How the gas shines: black-body, or hue-ramp (the report's)" colourPart,
     number Disk "disk.temperature" (Quantity "a temperature" (From 500) (UpTo 1e6) "kelvin") "Temperature in kelvin of the gas where it is hottest; makes it a black body" temperaturePart
       `withOption` ("temperature", "KELVIN"),
+    number Disk "disk.time" (Quantity "a time" (From (-1e9)) (UpTo 1e9) "r_s/c") "Time to which the gas has moved, in Schwarzschild radii over c" (disk (part Gas.diskTime (\v d -> d {Gas.diskTime = v})))
+      `withOption` ("time", "T"),
     whole Disk "disk.arms.count" (0, 1000) "" "Number of spiral arms, 0 for none" (disk (part Gas.diskArms (\v d -> d {Gas.diskArms = v}))),
     number Disk "disk.arms.winding" (Quantity "an angle" (From (-1e4)) (UpTo 1e4) "radians per Schwarzschild radius") "Radians that an arm turns per Schwarzschild radius outwards" (disk (part Gas.diskArmWinding (\v d -> d {Gas.diskArmWinding = v}))),
     number Disk "disk.arms.depth" (Quantity "a fraction" (From 0) (UpTo 0.5) "") "How much thinner the disk is between the arms, 0 to 0.5" (disk (part Gas.diskArmDepth (\v d -> d {Gas.diskArmDepth = v}))),
@@ -94,6 +96,8 @@ sceneFields =
     whole Disk "disk.arms.noise-octaves" (1, 20) "" "Octaves of that noise" (disk (part Gas.diskArmNoiseOctaves (\v d -> d {Gas.diskArmNoiseOctaves = v}))),
     number Disk "disk.turbulence.strength" (Quantity "a number" (From 0) (UpTo 100) "") "Strength of the turbulence in the density, 0 for smooth gas" (disk (part Gas.diskTurbulence (\v d -> d {Gas.diskTurbulence = v}))),
     number Disk "disk.turbulence.frequency" (Quantity "a number of features" (From 0) (UpTo 1000) "") "Features of the turbulence from one radius to e times it" (disk (part Gas.diskTurbulenceFrequency (\v d -> d {Gas.diskTurbulenceFrequency = v}))),
+    whole Disk "disk.turbulence.octaves" (1, 8) "" "Octaves of the turbulence, each twice as fine as the one before" (disk (part Gas.diskTurbulenceOctaves (\v d -> d {Gas.diskTurbulenceOctaves = v}))),
+    number Disk "disk.turbulence.warp" (Quantity "a number of features" (From 0) (UpTo 100) "") "How far the turbulence is bent out of shape, in features" (disk (part Gas.diskTurbulenceWarp (\v d -> d {Gas.diskTurbulenceWarp = v}))),
     choice Sky "sky.kind" "a sky" skies "What lies behind: noise (stars), grid, uniform, or none" skyKindPart
       `withOption` ("sky", "NAME"),
     number Sky "sky.radiance" (Quantity "a radiance" (From 0) (UpTo 1e9) "") "Radiance of a uniform sky; 1 is display white at exposure 0" radiancePart,
