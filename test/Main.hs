@@ -5,6 +5,7 @@ import qualified BlackHole.Animation.CameraPathSpec
 import qualified BlackHole.Animation.ClaimSpec
 import qualified BlackHole.Animation.DigestSpec
 import qualified BlackHole.Animation.ExposureSpec
+import qualified BlackHole.Animation.FeedSpec
 import qualified BlackHole.Animation.FilmFileSpec
 import qualified BlackHole.Animation.FilmSpec
 import qualified BlackHole.Animation.FrameNameSpec
@@ -87,6 +88,7 @@ main = hspec $ do
   describe "BlackHole.Animation.Claim" BlackHole.Animation.ClaimSpec.spec
   describe "BlackHole.Animation.Digest" BlackHole.Animation.DigestSpec.spec
   describe "BlackHole.Animation.Exposure" BlackHole.Animation.ExposureSpec.spec
+  describe "BlackHole.Animation.Feed" BlackHole.Animation.FeedSpec.spec
   describe "BlackHole.Animation.FilmFile" BlackHole.Animation.FilmFileSpec.spec
   describe "BlackHole.Animation.Film" BlackHole.Animation.FilmSpec.spec
   describe "BlackHole.Animation.FrameName" BlackHole.Animation.FrameNameSpec.spec
