@@ -77,13 +77,17 @@ import qualified BlackHole.Scene.ValidateSpec
 import qualified BlackHole.SelfTest.CheckSpec
 import qualified BlackHole.SelfTest.SuiteSpec
 import qualified BlackHole.SelfTest.TableSpec
+import qualified BlackHole.Trace.BeamSpec
 import qualified BlackHole.Trace.EstimateSpec
 import qualified BlackHole.Trace.ExplainSpec
 import qualified BlackHole.Trace.GasSpec
 import qualified BlackHole.Trace.PixelSpec
 import qualified BlackHole.Trace.PlaneCrossingSpec
 import qualified BlackHole.Trace.SamplingSpec
+import qualified BlackHole.Trace.SkyImageSpec
 import qualified BlackHole.Trace.SkySpec
+import qualified BlackHole.Trace.StarCatalogueSpec
+import qualified BlackHole.Trace.StarFieldSpec
 import qualified BlackHole.Trace.TabulatedSpec
 import qualified BlackHole.Vector.XYSpec
 import qualified BlackHole.Vector.XYZSpec
@@ -169,13 +173,17 @@ main = hspec $ do
   describe "BlackHole.SelfTest.Check" BlackHole.SelfTest.CheckSpec.spec
   describe "BlackHole.SelfTest.Suite" BlackHole.SelfTest.SuiteSpec.spec
   describe "BlackHole.SelfTest.Table" BlackHole.SelfTest.TableSpec.spec
+  describe "BlackHole.Trace.Beam" BlackHole.Trace.BeamSpec.spec
   describe "BlackHole.Trace.Estimate" BlackHole.Trace.EstimateSpec.spec
   describe "BlackHole.Trace.Explain" BlackHole.Trace.ExplainSpec.spec
   describe "BlackHole.Trace.Gas" BlackHole.Trace.GasSpec.spec
   describe "BlackHole.Trace.Pixel" BlackHole.Trace.PixelSpec.spec
   describe "BlackHole.Trace.PlaneCrossing" BlackHole.Trace.PlaneCrossingSpec.spec
   describe "BlackHole.Trace.Sampling" BlackHole.Trace.SamplingSpec.spec
+  describe "BlackHole.Trace.SkyImage" BlackHole.Trace.SkyImageSpec.spec
   describe "BlackHole.Trace.Sky" BlackHole.Trace.SkySpec.spec
+  describe "BlackHole.Trace.StarCatalogue" BlackHole.Trace.StarCatalogueSpec.spec
+  describe "BlackHole.Trace.StarField" BlackHole.Trace.StarFieldSpec.spec
   describe "BlackHole.Trace.Tabulated" BlackHole.Trace.TabulatedSpec.spec
   describe "BlackHole.Vector.XY" BlackHole.Vector.XYSpec.spec
   describe "BlackHole.Vector.XYZ" BlackHole.Vector.XYZSpec.spec
