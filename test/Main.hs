@@ -55,6 +55,7 @@ import qualified BlackHole.Physics.ExactPathSpec
 import qualified BlackHole.Physics.FreeFallSpec
 import qualified BlackHole.Physics.GasMotionSpec
 import qualified BlackHole.Physics.LeapfrogSpec
+import qualified BlackHole.Physics.LensBeamSpec
 import qualified BlackHole.Physics.LensTableSpec
 import qualified BlackHole.Physics.ObserverSpec
 import qualified BlackHole.Physics.OrbitSpec
@@ -151,6 +152,7 @@ main = hspec $ do
   describe "BlackHole.Physics.FreeFall" BlackHole.Physics.FreeFallSpec.spec
   describe "BlackHole.Physics.GasMotion" BlackHole.Physics.GasMotionSpec.spec
   describe "BlackHole.Physics.Leapfrog" BlackHole.Physics.LeapfrogSpec.spec
+  describe "BlackHole.Physics.LensBeam" BlackHole.Physics.LensBeamSpec.spec
   describe "BlackHole.Physics.LensTable" BlackHole.Physics.LensTableSpec.spec
   describe "BlackHole.Physics.Observer" BlackHole.Physics.ObserverSpec.spec
   describe "BlackHole.Physics.Orbit" BlackHole.Physics.OrbitSpec.spec

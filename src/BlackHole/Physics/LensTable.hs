@@ -25,6 +25,7 @@ module BlackHole.Physics.LensTable
     lensTableRadius,
     lensTableSize,
     lensSweep,
+    lensTurning,
   )
 where
 
@@ -275,3 +276,32 @@ lensSweep table !radial !tangential
 -- | The distance from the critical parameter below which the table ends.
 closest :: Double
 closest = 0.5 ^^ octaveCount
+
+-- | How the angle swept up to infinity changes between two neighbouring photons
+-- of unit energy, each given by its radial and tangential velocity: the
+-- difference of their parameters times the slope at the first. 'Nothing' where
+-- the first does not escape or is closer to the critical one than the table.
+lensTurning :: LensTable -> (Double, Double) -> (Double, Double) -> Maybe Double
+lensTurning table (radial, tangential) (radial', tangential')
+  | distance < closest || offset > 0 = Nothing
+  | otherwise = Just (slope * change)
+  where
+    family = tableFamily table
+    !w = parameterOf family radial tangential
+    !offset = w - familyCritical family
+    !distance = abs offset
+    !change = negate (parameterOf family radial' tangential' - w)
+    !bits = castDoubleToWord64 distance
+    !octave = 1022 - fromIntegral (bits `unsafeShiftR` 52) :: Int
+    !segment = fromIntegral ((bits `unsafeShiftR` 46) .&. 63) :: Int
+    !t = fromIntegral (bits .&. 0x3fffffffffff) / 70368744177664 :: Double
+    !begin = indexPrimArray (tableBlocks table) (2 * max 0 octave)
+    !cells = indexPrimArray (tableBlocks table) (2 * max 0 octave + 1)
+    !row = begin + segment * rowSize cells
+    !row' = row + rowSize cells
+    at = indexPrimArray (tableNumbers table)
+    -- The derivative of Hermite's interpolation, over the length of a segment.
+    !slope =
+      (6 * t * (t - 1) * (at row - at row') + (1 - t) * (1 - 3 * t) * at (row + 1) + t * (3 * t - 2) * at (row' + 1))
+        * fromIntegral segmentCount
+        * 2 ^^ (octave + 1)
