@@ -16,6 +16,7 @@ import BlackHole.Physics.Observer (Observer (..))
 import BlackHole.Physics.Spacetime (Spacetime (..))
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Disk
+import BlackHole.Scene.Filter (Filter (..))
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Shifts (Shifts (..))
 import BlackHole.Scene.Sky
@@ -60,6 +61,9 @@ defaultScene =
       sceneShifts = Shifts True True,
       sceneDebugTextures = False,
       sceneSamples = 4,
+      sceneNoise = 0.02,
+      sceneMostSamples = 64,
+      sceneFilter = Gaussian,
       sceneExposure = Exposure 0,
       sceneToneMap = ToneFilm,
       sceneDither = BlueNoise,
@@ -85,6 +89,8 @@ reportScene =
       sceneDisk = Just reportDisk,
       sceneSky = SkyNoise reportStars,
       sceneSamples = 1,
+      sceneNoise = 0,
+      sceneFilter = Box,
       sceneExposure = Exposure (-1.2),
       sceneToneMap = ToneNone,
       sceneDither = NoDither

@@ -16,6 +16,8 @@ data Purpose
   | GasTurbulence
   | StarField
   | StarColour
+  | StarPlaces
+  | GalacticClouds
   deriving (Eq, Show, Enum, Bounded)
 
 -- | The seed of one purpose under a scene's seed.

@@ -18,6 +18,7 @@ import BlackHole.Scene.Disk (DiskColour (..), DiskProfile (..), defaultDisk)
 import qualified BlackHole.Scene.Disk as Gas
 import BlackHole.Scene.Field.Field
 import BlackHole.Scene.Field.Kind
+import BlackHole.Scene.Filter (Filter (..), filterName)
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Shifts (Shifts (..))
 import BlackHole.Scene.Sky (Sky (..), Stars (..), defaultStars)
@@ -109,6 +110,12 @@ sceneFields =
     switch Sky "sky.stars.colours" "Whether stars have the colours of black bodies, or are all white" (stars (part starColours (\v s -> s {starColours = v}))),
     whole Sampling "sampling.samples" (1, 65536) "" "Rays per pixel" (part sceneSamples (\v s -> s {sceneSamples = v}))
       `withOption` ("samples", "N"),
+    number Sampling "sampling.noise" (Quantity "a part of white" (From 0) (UpTo 1) "") "Uncertainty of a pixel, as a part of white, beyond which it gets more rays; 0 for never" (part sceneNoise (\v s -> s {sceneNoise = v}))
+      `withOption` ("noise", "T"),
+    whole Sampling "sampling.most-samples" (1, 65536) "" "The most rays a pixel gets then" (part sceneMostSamples (\v s -> s {sceneMostSamples = v}))
+      `withOption` ("most-samples", "N"),
+    choice Sampling "sampling.filter" "a filter" filters "How the samples around a pixel make up its value: box, gaussian or mitchell" (part sceneFilter (\v s -> s {sceneFilter = v}))
+      `withOption` ("filter", "NAME"),
     seed Sampling "sampling.seed" "Seed of gas, stars and sampling, from 0 to 2^64 - 1" (part sceneSeed (\v s -> s {sceneSeed = v}))
       `withOption` ("seed", "N"),
     number Output "output.exposure" (Quantity "a number of stops" (From (-100)) (UpTo 100) "") "Brighter (+) or darker (-) by powers of two (stops)" (part (exposureStops . sceneExposure) (\v s -> s {sceneExposure = Exposure v}))
@@ -130,6 +137,11 @@ sceneFields =
         (Observer.Orbiting, Observer.observerName Observer.Orbiting, "on a circular orbit"),
         (Observer.Falling, Observer.observerName Observer.Falling, "falling in from rest at infinity"),
         (Observer.Coordinate, Observer.observerName Observer.Coordinate, "the report's: nobody real")
+      ]
+    filters =
+      [ (Box, filterName Box, "the mean over the pixel's square"),
+        (Gaussian, filterName Gaussian, "soft, of standard deviation 1/2 pixel"),
+        (Mitchell, filterName Mitchell, "crisp, with negative lobes")
       ]
     integrators =
       [ (Tabulated, integratorName Tabulated, "closed-form orbits, tabulated for the camera's place"),

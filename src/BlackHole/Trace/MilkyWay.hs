@@ -1,0 +1,55 @@
+-- | The faint band of our galaxy: the light of all the stars that are too many
+-- to be seen singly, behind dust.
+module BlackHole.Trace.MilkyWay
+  ( milkyWay,
+    milkyWayRings,
+  )
+where
+
+import BlackHole.Light.Radiance
+import BlackHole.Noise.Lattice (unitLevel)
+import BlackHole.Noise.PerlinG (Seed (..))
+import BlackHole.Noise.Profile (normalised, octaves)
+import BlackHole.Noise.Remembered
+import BlackHole.Trace.Galaxy (toGalactic)
+import BlackHole.Trace.SkyImage
+import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
+
+-- | The band as a picture of the sky, 1 where it is brightest. Its clouds and
+-- its dust are noise on the sphere, the dust finer and closer to the middle of
+-- the band; a glow lies around the galaxy's middle.
+milkyWay :: Seed -> SkyImage
+milkyWay (Seed seed) = skyImageFromDirections milkyWayRings (light . toGalactic)
+  where
+    light d@(XYZ c _ p)
+      | p * p > 0.42 = scaleRadiance (halo p) warm
+      | otherwise =
+        let -- Along the band the clouds swell and the plane wavers.
+            swell = perlin clouds (offset 3.37 ^+^ 3.1 *^ d)
+            waver = p + 0.05 * swell
+            bulge = exp (-(1 - c) / 0.22)
+            width = 0.085 + 0.11 * bulge
+            band = exp (-(abs waver / width) ** 1.5)
+            glow = (0.34 + 0.16 * c + 0.6 * bulge) * band * exp (1.6 * swell)
+            lanes = perlin dust (offset 1.71 ^+^ 5.3 *^ d)
+            -- Sharp ridges where the noise crosses zero: filaments of dust.
+            filaments = max 0 (1 - 5.5 * abs lanes)
+            shade = max 0 (0.3 + 1.9 * perlin patches (offset 7.13 ^+^ 4.1 *^ d))
+            depth = 1.9 * exp (-((waver - 0.012) / 0.085) ** 2) * (0.4 + 0.6 * bulge + 0.35 * (1 + c)) * (0.9 * shade + 0.7 * filaments * filaments)
+         in reddened depth (scaleRadiance (glow + halo p) warm)
+    -- The light of the old stars of the disk, some 4900 K.
+    warm = Radiance 1 0.81 0.6
+    halo p = 0.035 * exp (-abs p / 0.4)
+    -- Dust takes more of the blue light than of the red one.
+    reddened depth (Radiance r g b) = Radiance (r * exp (-0.8 * depth)) (g * exp (-depth)) (b * exp (-1.25 * depth))
+    perlin noise = rememberedPerlin3 noise 9
+    clouds = table 0 3
+    dust = table 1 4
+    patches = table 2 3
+    table n count = remember 400000 (Seed (seed + n)) (normalised (octaves unitLevel count 0.55)) (XYZ (-10) (-10) (-10)) (XYZ 14 14 14)
+    -- Off the lattice points in which all octaves vanish.
+    offset v = XYZ v (0.77 * v) (-(0.59 * v))
+
+-- | Rings of the picture: fields of 0.5°.
+milkyWayRings :: Int
+milkyWayRings = 384
