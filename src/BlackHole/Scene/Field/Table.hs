@@ -84,7 +84,7 @@ sceneFields =
     number Disk "disk.opacity" (Quantity "an optical depth" (From 0) (UpTo 1e6) "") "Optical depth of one thickness of dense gas" (disk (part Gas.diskOpacity (\v d -> d {Gas.diskOpacity = v})))
       `withOption` ("disk-opacity", "TAU"),
     number Disk "disk.brightness" (Quantity "a radiance" (From 0) (UpTo 1e9) "") "Radiance of opaque gas where it is brightest; 1 is display white at exposure 0" (disk (part Gas.diskBrightness (\v d -> d {Gas.diskBrightness = v}))),
-    choice Disk "disk.colour" "a way to colour the gas" [(False, "hue-ramp", "yellow inside to red outside, without physics"), (True, "black-body", "by its temperature")] "How the gas shines: black-body, or hue-ramp (the report's)" colourPart,
+    choice Disk "disk.colour" "a way to colour the gas" [(RampGlow, "hue-ramp", "yellow inside to red outside, without physics"), (BlackBodyGlow, "black-body", "by its temperature"), (BolometricGlow, "bolometric", "all wavelengths together, without colour")] "How the gas shines: black-body, bolometric (the same without colour), or hue-ramp (the report's, without physics)" glowPart,
     number Disk "disk.temperature" (Quantity "a temperature" (From 500) (UpTo 1e6) "kelvin") "Temperature in kelvin of the gas where it is hottest; makes it a black body" temperaturePart
       `withOption` ("temperature", "KELVIN"),
     number Disk "disk.time" (Quantity "a time" (From (-1e9)) (UpTo 1e9) "r_s/c") "Time to which the gas has moved, in Schwarzschild radii over c" (disk (part Gas.diskTime (\v d -> d {Gas.diskTime = v})))
@@ -231,20 +231,26 @@ presencePart = part (isJust . sceneDisk) $ \present s -> case (present, sceneDis
 disk :: Part Gas.Disk a -> Part Scene a
 disk = inside (Part sceneDisk (\d s -> s {sceneDisk = Just d}))
 
--- Whether the gas is a black body.
-colourPart :: Part Scene Bool
-colourPart = disk . part (isJust . temperature . Gas.diskColour) $ \blackBody d ->
-  case (blackBody, Gas.diskColour d) of
-    (False, _) -> d {Gas.diskColour = HueRamp}
-    (True, HueRamp) -> d {Gas.diskColour = BlackBody 4500}
-    (True, BlackBody _) -> d
+-- | The ways to shine without what belongs to them.
+data Glow = RampGlow | BlackBodyGlow | BolometricGlow
+  deriving (Eq)
+
+glowPart :: Part Scene Glow
+glowPart = disk (part (glowOf . Gas.diskColour) (\glow d -> d {Gas.diskColour = colourOf glow (Gas.diskColour d)}))
+  where
+    glowOf HueRamp = RampGlow
+    glowOf (BlackBody _) = BlackBodyGlow
+    glowOf Bolometric = BolometricGlow
+    colourOf RampGlow _ = HueRamp
+    colourOf BolometricGlow _ = Bolometric
+    colourOf BlackBodyGlow colour@(BlackBody _) = colour
+    colourOf BlackBodyGlow _ = BlackBody 4500
 
 temperaturePart :: Part Scene Double
 temperaturePart = disk (Part (temperature . Gas.diskColour) (\v d -> d {Gas.diskColour = BlackBody v}))
-
-temperature :: DiskColour -> Maybe Double
-temperature HueRamp = Nothing
-temperature (BlackBody t) = Just t
+  where
+    temperature (BlackBody t) = Just t
+    temperature _ = Nothing
 
 -- | The kinds of sky without what belongs to them.
 data SkyKind = NoiseSky | GridSky | UniformSky | NoSky
