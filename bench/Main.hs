@@ -8,6 +8,7 @@ import qualified LightBench
 import qualified NoiseBench
 import qualified OrbitBench
 import qualified PathBench
+import qualified SkyBench
 
 main :: IO ()
 main =
@@ -16,6 +17,7 @@ main =
       OrbitBench.benchmarks,
       PathBench.benchmarks,
       LightBench.benchmarks,
+      SkyBench.benchmarks,
       FrameBench.benchmarks,
       FilmBench.benchmarks
     ]
