@@ -140,7 +140,7 @@ arrival scene traced point sight@(SightLine photon observed) =
           arrivalGasSamples = samples,
           arrivalTransmittance = transmittance,
           arrivalGas = light,
-          arrivalSky = tracedSky traced sight fate
+          arrivalSky = tracedSky traced point sight fate
         }
   where
     !shade = tracedGas traced observed

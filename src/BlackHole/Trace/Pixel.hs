@@ -17,6 +17,7 @@ module BlackHole.Trace.Pixel
     tracedSight,
     tracedGas,
     tracedSky,
+    tracedBeam,
     followSight,
   )
 where
@@ -36,6 +37,7 @@ import BlackHole.Scene.Camera
 import BlackHole.Scene.Disk (Disk)
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Shifts (skyShift)
+import BlackHole.Trace.Beam
 import BlackHole.Trace.Gas
 import BlackHole.Trace.Sky
 import BlackHole.Vector.XY (XY (..))
@@ -55,7 +57,7 @@ data Tracer = Tracer
     tracerMatter :: !Matter,
     -- | The paths through the camera's place; made when first used.
     tracerTable :: LensTable,
-    tracerSky :: !(Double -> XYZ -> Radiance)
+    tracerSky :: !SkyShader
   }
 
 -- | What shines along the way.
@@ -86,7 +88,7 @@ tracer scene = do
     place = posePosition (cameraPose (sceneCamera scene))
     seed = sceneSeed scene
     sky
-      | sceneDebugTextures scene = const gridRadiance
+      | sceneDebugTextures scene = ByDirection (const gridRadiance)
       | otherwise = skyShader seed (sceneSky scene)
     matter = case sceneDisk scene of
       Nothing -> Vacuum
@@ -167,7 +169,7 @@ threeSights traced p0 p1 p2 = case (tracedSight traced p0, tracedSight traced p1
             (gathering s1)
             (gathering s2)
             nothingYet
-     in (seen traced s0 f0, seen traced s1 f1, seen traced s2 f2)
+     in (seen traced p0 s0 f0, seen traced p1 s1 f1, seen traced p2 s2 f2)
   _ -> (sightRadiance traced p0, sightRadiance traced p1, sightRadiance traced p2)
   where
     scene = tracerScene traced
@@ -186,12 +188,12 @@ meanOver traced radianceOf = go 0 black
 sightRadiance :: Tracer -> XY -> Radiance
 sightRadiance traced point = case tracedSight traced point of
   Nothing -> black
-  Just sight -> seen traced sight (followLight traced point sight)
+  Just sight -> seen traced point sight (followLight traced point sight)
 
 -- | The gas's light and what the sky adds to it.
-seen :: Tracer -> SightLine -> Followed Gathered -> Radiance
-seen traced sight (Followed fate (Gathered light transmittance) _) =
-  light <+> scaleRadiance transmittance (tracedSky traced sight fate)
+seen :: Tracer -> XY -> SightLine -> Followed Gathered -> Radiance
+seen traced point sight (Followed fate (Gathered light transmittance) _) =
+  light <+> scaleRadiance transmittance (tracedSky traced point sight fate)
 {-# INLINE seen #-}
 
 -- | The direction of sight through a point of the picture.
@@ -210,13 +212,30 @@ tracedGas traced observed = case tracerMatter traced of
   Checks disk -> gatherParity disk
   Gaseous glowing -> gatherGas glowing observed
 
--- | What the sky sends to the end of a line of sight, with no gas in between.
-tracedSky :: Tracer -> SightLine -> Fate -> Radiance
-tracedSky traced sight fate = case fate of
-  Escaped direction -> tracerSky traced (tracerSkyShift traced (sightFrequency sight)) direction
+-- | What the sky sends to the end of a line of sight through a point of the
+-- picture, with no gas in between.
+tracedSky :: Tracer -> XY -> SightLine -> Fate -> Radiance
+tracedSky traced point sight fate = case fate of
+  Escaped direction -> case tracerSky traced of
+    ByDirection shader -> shader shift direction
+    ByBeam shader -> maybe black (shader shift) (tracedBeam traced point)
   Captured -> black
   Opaque -> black
   StepLimit -> black
+  where
+    shift = tracerSkyShift traced (sightFrequency sight)
+
+-- | The beam behind a point of the picture, past all gas; 'Nothing' where no
+-- light arrives from the sky. As much work as three or four empty pixels.
+tracedBeam :: Tracer -> XY -> Maybe Beam
+tracedBeam traced = beamByDifferences escape
+  where
+    clear = traced {tracerRegion = emptyRegion}
+    escape point = do
+      sight <- tracedSight traced point
+      case followSight clear point sight (\() _ -> Onward ()) () of
+        Followed (Escaped direction) _ _ -> Just direction
+        _ -> Nothing
 
 -- | Where in its pixel a sample is taken. A single one sits in the middle;
 -- several are jittered within the cells of a grid, hashed from the seed, the
