@@ -11,6 +11,7 @@ import qualified LightBench
 import qualified NoiseBench
 import qualified OrbitBench
 import qualified PathBench
+import qualified SkyBench
 import System.Environment (getArgs)
 import System.IO (hSetEncoding, stdout, utf8)
 import Table (printTable)
@@ -29,6 +30,7 @@ main = do
           PathBench.benchmarks,
           LightBench.benchmarks,
           GasBench.benchmarks,
+          SkyBench.benchmarks,
           FrameBench.benchmarks,
           FilmBench.benchmarks
         ]

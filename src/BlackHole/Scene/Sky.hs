@@ -5,6 +5,8 @@ module BlackHole.Scene.Sky
     Stars (..),
     reportStars,
     defaultStars,
+    PointStars (..),
+    defaultPointStars,
   )
 where
 
@@ -12,6 +14,8 @@ where
 data Sky
   = -- | Stars cut out of three-dimensional noise on the sphere.
     SkyNoise !Stars
+  | -- | A catalogue of point stars before the band of the galaxy.
+    SkyStars !PointStars
   | -- | Alternating fields of 10°, to see the lensing by.
     SkyGrid
   | -- | The same radiance everywhere.
@@ -24,6 +28,7 @@ data Sky
 skyName :: Sky -> String
 skyName sky = case sky of
   SkyNoise _ -> "noise"
+  SkyStars _ -> "stars"
   SkyGrid -> "grid"
   SkyUniform _ -> "uniform"
   SkyNone -> "none"
@@ -69,4 +74,26 @@ defaultStars =
       starSharpness = 40,
       starBrightness = 2.5,
       starColours = True
+    }
+
+-- | Stars without extent, and the light of those too faint to be single.
+data PointStars = PointStars
+  { -- | How many of the brightest stars of the whole sky stand there singly;
+    -- our own sky has 9000 that the naked eye can see.
+    pointStarsCount :: !Int,
+    -- | Flux of a star of magnitude 0 in units of 1e-6 radiance times steradians:
+    -- 1 gives a pixel of a milliradian squared the radiance 1.
+    pointStarsBrightness :: !Double,
+    -- | Radiance of the Milky Way where it is bright; 0 leaves it out.
+    pointStarsMilkyWay :: !Double
+  }
+  deriving (Eq, Show)
+
+-- | A clear night far from any town.
+defaultPointStars :: PointStars
+defaultPointStars =
+  PointStars
+    { pointStarsCount = 60000,
+      pointStarsBrightness = 80,
+      pointStarsMilkyWay = 0.07
     }

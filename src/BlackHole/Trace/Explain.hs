@@ -141,7 +141,7 @@ arrival scene traced point sight@(SightLine photon observed) =
           arrivalGasSamples = samples,
           arrivalTransmittance = transmittance,
           arrivalGas = light,
-          arrivalSky = tracedSky traced sight fate
+          arrivalSky = tracedSky traced point sight fate
         }
   where
     !shade = tracedGas traced observed

@@ -15,13 +15,13 @@ import Data.Maybe (fromMaybe)
 
 -- | The direction to the middle of the galaxy (unit length).
 galacticCentre :: XYZ
-galacticCentre = unit (XYZ 0.36 0.2 (-1))
+galacticCentre = unit (XYZ 0.12 0.2 (-1))
 
 -- | The direction at right angles to the galaxy's plane (unit length).
 galacticPole :: XYZ
 galacticPole = unit (towards ^-^ XYZ.dot towards galacticCentre *^ galacticCentre)
   where
-    towards = XYZ 0.62 0.75 0.2
+    towards = XYZ 0.85 0.35 0.1
 
 -- | The third axis, along the plane.
 galacticEast :: XYZ

@@ -19,6 +19,7 @@ module BlackHole.Trace.Pixel
     tracedSight,
     tracedGas,
     tracedSky,
+    tracedBeam,
     followSight,
   )
 where
@@ -29,6 +30,7 @@ import BlackHole.Numeric.Floor (turnFraction)
 import BlackHole.Physics.ExactPath
 import BlackHole.Physics.Fate
 import BlackHole.Physics.Leapfrog
+import BlackHole.Physics.LensBeam
 import BlackHole.Physics.LensTable
 import BlackHole.Physics.LightPath
 import BlackHole.Physics.Observer
@@ -38,12 +40,13 @@ import BlackHole.Scene.Camera
 import BlackHole.Scene.Disk (Disk)
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Shifts (skyShift)
+import BlackHole.Trace.Beam
 import BlackHole.Trace.Estimate
 import BlackHole.Trace.Gas
 import BlackHole.Trace.Sampling
 import BlackHole.Trace.Sky
 import BlackHole.Vector.XY (XY (..))
-import BlackHole.Vector.XYZ (XYZ)
+import BlackHole.Vector.XYZ (XYZ, (*^))
 import qualified BlackHole.Vector.XYZ as XYZ
 
 -- | A scene made ready: what all pixels share, worked out once.
@@ -60,7 +63,7 @@ data Tracer = Tracer
     tracerMatter :: !Matter,
     -- | The paths through the camera's place; made when first used.
     tracerTable :: LensTable,
-    tracerSky :: !(Double -> XYZ -> Radiance)
+    tracerSky :: !SkyShader
   }
 
 -- | What shines along the way.
@@ -93,7 +96,7 @@ tracer scene = do
     place = posePosition (cameraPose (sceneCamera scene))
     seed = sceneSeed scene
     sky
-      | sceneDebugTextures scene = const gridRadiance
+      | sceneDebugTextures scene = ByDirection (const gridRadiance)
       | otherwise = skyShader seed (sceneSky scene)
     matter = case sceneDisk scene of
       Nothing -> Vacuum
@@ -187,7 +190,7 @@ threeSights traced p0 p1 p2 = case (tracedSight traced p0, tracedSight traced p1
             (gathering s1)
             (gathering s2)
             nothingYet
-     in (seen traced s0 f0, seen traced s1 f1, seen traced s2 f2)
+     in (seen traced p0 s0 f0, seen traced p1 s1 f1, seen traced p2 s2 f2)
   _ -> (sightRadiance traced p0, sightRadiance traced p1, sightRadiance traced p2)
   where
     scene = tracerScene traced
@@ -197,12 +200,12 @@ threeSights traced p0 p1 p2 = case (tracedSight traced p0, tracedSight traced p1
 sightRadiance :: Tracer -> XY -> Radiance
 sightRadiance traced point = case tracedSight traced point of
   Nothing -> black
-  Just sight -> seen traced sight (followLight traced point sight)
+  Just sight -> seen traced point sight (followLight traced point sight)
 
 -- | The gas's light and what the sky adds to it.
-seen :: Tracer -> SightLine -> Followed Gathered -> Radiance
-seen traced sight (Followed fate (Gathered light transmittance) _) =
-  light <+> scaleRadiance transmittance (tracedSky traced sight fate)
+seen :: Tracer -> XY -> SightLine -> Followed Gathered -> Radiance
+seen traced point sight (Followed fate (Gathered light transmittance) _) =
+  light <+> scaleRadiance transmittance (tracedSky traced point sight fate)
 {-# INLINE seen #-}
 
 -- | The scene itself.
@@ -225,13 +228,42 @@ tracedGas traced observed = case tracerMatter traced of
   Checks disk -> gatherParity disk
   Gaseous glowing -> gatherGas glowing observed
 
--- | What the sky sends to the end of a line of sight, with no gas in between.
-tracedSky :: Tracer -> SightLine -> Fate -> Radiance
-tracedSky traced sight fate = case fate of
-  Escaped direction -> tracerSky traced (tracerSkyShift traced (sightFrequency sight)) direction
+-- | What the sky sends to the end of a line of sight through a point of the
+-- picture, with no gas in between.
+tracedSky :: Tracer -> XY -> SightLine -> Fate -> Radiance
+tracedSky traced point sight fate = case fate of
+  Escaped direction -> case tracerSky traced of
+    ByDirection shader -> shader shift direction
+    ByBeam shader -> maybe black (shader shift) (tracedBeam traced point sight direction)
   Captured -> black
   Opaque -> black
   StepLimit -> black
+  where
+    shift = tracerSkyShift traced (sightFrequency sight)
+
+-- | The beam behind a point of the picture, past all gas, from the line of sight
+-- through it and the direction in which it escapes: by the table of paths, or
+-- where that has no answer from the paths through points beside it. 'Nothing'
+-- where no light arrives from the sky.
+tracedBeam :: Tracer -> XY -> SightLine -> XYZ -> Maybe Beam
+tracedBeam traced point@(XY x y) sight direction = case sceneSpacetime (tracerScene traced) of
+  Schwarzschild
+    | Just alongX <- change (XY (x + step) y),
+      Just alongY <- change (XY x (y + step)) ->
+      Just (Beam direction alongX alongY)
+  _ -> beamByDifferences escape point
+  where
+    step = 0.01
+    change beside = do
+      neighbour <- tracedSight traced beside
+      moved <- lensChange (tracerTable traced) (sightPhoton sight) direction (sightPhoton neighbour)
+      pure ((1 / step) *^ moved)
+    clear = traced {tracerRegion = emptyRegion}
+    escape beside = do
+      found <- tracedSight traced beside
+      case followSight clear beside found (\() _ -> Onward ()) () of
+        Followed (Escaped d) _ _ -> Just d
+        _ -> Nothing
 
 -- | One of a pixel's samples, by column, row and number.
 samplePoint :: Scene -> Int -> Int -> Int -> Sample

@@ -1,6 +1,8 @@
 -- | Light from the celestial sphere.
 module BlackHole.Trace.Sky
-  ( skyShader,
+  ( SkyShader (..),
+    skyShader,
+    panoramaShader,
     gridRadiance,
   )
 where
@@ -12,20 +14,50 @@ import BlackHole.Noise.PerlinG (noise3, perlin3Above)
 import BlackHole.Noise.Profile (normalised, octaves)
 import BlackHole.Physics.Angle (arcTangent2)
 import BlackHole.Scene.Sky
+import BlackHole.Trace.Beam (Beam)
+import BlackHole.Trace.MilkyWay
 import BlackHole.Trace.Seeds
+import BlackHole.Trace.SkyImage
+import BlackHole.Trace.StarCatalogue
+import BlackHole.Trace.StarField
 import BlackHole.Vector.XYZ (XYZ (..), (*^))
 import Data.Word (Word64)
 
--- | The radiance that arrives from a direction (unit length, as the light
--- escapes), for an observer who sees it at g times its frequency. A star is a
--- black body and changes its colour with g; light of no known spectrum keeps
--- it. Either way the intensity grows as g⁴.
-skyShader :: Word64 -> Sky -> Double -> XYZ -> Radiance
+-- | Light from the sky by the frequency g times as high at which the observer
+-- sees it: where the direction (unit length, as the light escapes) says all,
+-- or where the sky is finer than a pixel and it takes the whole beam.
+data SkyShader
+  = ByDirection !(Double -> XYZ -> Radiance)
+  | ByBeam !(Double -> Beam -> Radiance)
+
+-- | The light of a sky under a scene's seed. A star is a black body and changes
+-- its colour with g; light of no known spectrum keeps it. Either way the
+-- intensity grows as g⁴.
+skyShader :: Word64 -> Sky -> SkyShader
 skyShader seed sky = case sky of
-  SkyNoise stars -> starRadiance seed stars
-  SkyGrid -> \g direction -> scaleRadiance (g * g * (g * g)) (gridRadiance direction)
-  SkyUniform v -> \g _ -> grey (v * g ^ (4 :: Int))
-  SkyNone -> \_ _ -> black
+  SkyNoise stars -> ByDirection (starRadiance seed stars)
+  SkyStars stars -> ByBeam (pointStarRadiance seed stars)
+  SkyGrid -> ByDirection (\g direction -> scaleRadiance (g * g * (g * g)) (gridRadiance direction))
+  SkyUniform v -> ByDirection (\g _ -> grey (v * g ^ (4 :: Int)))
+  SkyNone -> ByDirection (\_ _ -> black)
+
+-- | Point stars before the Milky Way.
+pointStarRadiance :: Word64 -> PointStars -> Double -> Beam -> Radiance
+pointStarRadiance seed stars
+  | pointStarsMilkyWay stars > 0 = \g beam ->
+    starFieldRadiance field g beam <+> scaleRadiance (pointStarsMilkyWay stars * (g * g * (g * g))) (skyImageRadiance band beam)
+  | otherwise = starFieldRadiance field
+  where
+    field = starField (1e-6 * pointStarsBrightness stars) (starCatalogue (purposeSeed seed StarPlaces) (pointStarsCount stars))
+    band = milkyWay (purposeSeed seed GalacticClouds)
+
+-- | A picture of the sky, turned about +y by an angle in radians ('turned'), and
+-- so many times as bright.
+panoramaShader :: Double -> Double -> SkyImage -> SkyShader
+panoramaShader brightness angle image = ByBeam $ \g beam ->
+  scaleRadiance (brightness * (g * g * (g * g))) (skyImageRadiance image (turn beam))
+  where
+    turn = turned angle
 
 -- | Stars where noise on the sphere rises above a threshold.
 starRadiance :: Word64 -> Stars -> Double -> XYZ -> Radiance

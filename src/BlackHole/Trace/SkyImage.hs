@@ -75,7 +75,7 @@ skyImageFromPixels width height pixel
     -- cover several pixels of its row.
     ring i n = U.create $ do
       fields <- M.replicate (3 * n) 0
-      spread 1 width n (pixel `flip` i) fields 0
+      spread 1 width n (`pixel` i) fields 0
       pure fields
 
 -- | A picture of so many rings (at least 1) by the radiance of each direction,

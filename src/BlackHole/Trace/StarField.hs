@@ -81,7 +81,7 @@ tier unitFlux stars side limit rings from to =
   where
     count = to - from
     cells = U.generate count (cellOf side . starDirection stars . (from +))
-    starts = U.scanl' (+) 0 (U.accumulate (+) (U.replicate (6 * side * side) 0) (U.map (\c -> (c, 1)) cells))
+    starts = U.scanl' (+) 0 (U.accumulate_ (+) (U.replicate (6 * side * side) 0) cells (U.replicate count 1))
     flux i = unitFlux * starFlux stars i
     light i = scaleRadiance (flux i) (tabulatedColour (starTemperature stars i))
     sorted = U.create $ do
@@ -167,9 +167,11 @@ starFieldRadiance (StarField tiers) g beam@(Beam d a b)
     blurred t = warmed (skyImageRadiance (tierBlurred t) beam)
     -- The mixture has about the colour of one black body.
     warmed light
-      | g == 1 = light
-      | otherwise = tinted (tabulatedColour (g * meanTemperature)) (tabulatedColour meanTemperature) light
-    tinted (Radiance r' g' b') (Radiance r'' g'' b'') (Radiance r0 g0 b0) =
+      | g == 1 || luminance tinted <= 0 = light
+      | otherwise = scaleRadiance (luminance light / luminance tinted) tinted
+      where
+        tinted = ratio (tabulatedColour (g * meanTemperature)) (tabulatedColour meanTemperature) light
+    ratio (Radiance r' g' b') (Radiance r'' g'' b'') (Radiance r0 g0 b0) =
       Radiance (r0 * r' / r'') (g0 * g' / g'') (b0 * b' / b'')
 
 -- | Solid angle of a beam's pixel, over its extent squared, below which single

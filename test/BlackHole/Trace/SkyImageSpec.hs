@@ -28,7 +28,7 @@ spec = do
       Nothing -> expectationFailure "no picture"
       Just image -> do
         length (skyImageLevels image) `shouldBe` 6
-        mapM_ (\level -> level `near` whole) (skyImageMean image : skyImageLevels image)
+        mapM_ (`near` whole) (skyImageMean image : skyImageLevels image)
   it "shows what stands where: middle, upper edge, right half" $
     case skyImageFromPixels 64 32 (\i j -> Radiance (fromIntegral i) (fromIntegral j) 0) of
       Nothing -> expectationFailure "no picture"
@@ -56,7 +56,7 @@ spec = do
   it "a long beam over a fine pattern has the light of many narrow ones" $ do
     -- Stripes and noise finer than the beam; the reference is the same bell
     -- over 33 × 33 narrow beams.
-    let image = skyImageFromDirections 256 pattern
+    let image = skyImageFromDirections 256 checks
         errors =
           [ abs (wide - reference)
             | k <- [0 .. 39 :: Int],
@@ -88,7 +88,7 @@ spec = do
     fmap skyImageMean (skyImageFromPixels 0 4 (\_ _ -> black)) `shouldBe` Nothing
   where
     wavy i j = grey (1 + sin (0.3 * fromIntegral i) * cos (0.5 * fromIntegral j))
-    pattern (XYZ x y z) = grey (if even (floor (30 * x) + floor (25 * y) + floor (35 * z) :: Int) then 1 else 0)
+    checks (XYZ x y z) = grey (if even (floor (30 * x) + floor (25 * y) + floor (35 * z) :: Int) then 1 else 0)
     thin d = beamAlong d (XYZ 0.3 0.5 0.7) 1e-6 1e-6
     mean values = sum values / fromIntegral (length values)
     near (Radiance r g b) (Radiance r' g' b') = do

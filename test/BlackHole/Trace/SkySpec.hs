@@ -2,8 +2,12 @@ module BlackHole.Trace.SkySpec (spec) where
 
 import BlackHole.Light.Radiance
 import BlackHole.Scene.Sky
+import BlackHole.Trace.Beam
 import BlackHole.Trace.Sky
-import BlackHole.Vector.XYZ (XYZ (..))
+import BlackHole.Trace.SkyImage
+import BlackHole.Vector.XYZ (XYZ (..), (*^))
+import qualified BlackHole.Vector.XYZ as XYZ
+import Support.Approx
 import Support.Generators
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
@@ -14,8 +18,8 @@ spec = do
   prop "light of the sky grows as g⁴" $ \(Direction d) ->
     forAll (inRange 0.3 2) $ \g ->
       conjoin
-        [ counterexample (skyName sky) (abs (luminance (skyShader 7 sky g d) - g ** 4 * luminance (skyShader 7 sky 1 d)) < 1e-9 + 1e-6 * luminance (skyShader 7 sky g d))
-          | sky <- [SkyNoise reportStars, SkyNoise defaultStars, SkyGrid, SkyUniform 0.4, SkyNone]
+        [ counterexample (skyName sky) (abs (luminance (shown 7 sky g d) - g ** 4 * luminance (shown 7 sky 1 d)) < 1e-9 + 1e-6 * luminance (shown 7 sky g d))
+          | sky <- [SkyNoise reportStars, SkyNoise defaultStars, SkyStars defaultPointStars, SkyGrid, SkyUniform 0.4, SkyNone]
         ]
   it "stars are few, and some are bright" $
     sequence_
@@ -23,12 +27,21 @@ spec = do
           length (filter (> 0) values) `shouldSatisfy` (\n -> n > 10 && n < 1000)
           maximum values `shouldSatisfy` (> 0.5)
         | stars <- [reportStars, defaultStars],
-          let values = [luminance (skyShader 0 (SkyNoise stars) 1 d) | d <- directionsOf 20000]
+          let values = [luminance (shown 0 (SkyNoise stars) 1 d) | d <- directionsOf 20000]
       ]
   it "depends on the seed" $
-    length [() | d <- directionsOf 20000, skyShader 1 (SkyNoise reportStars) 1 d /= skyShader 2 (SkyNoise reportStars) 1 d]
+    length [() | d <- directionsOf 20000, shown 1 (SkyNoise reportStars) 1 d /= shown 2 (SkyNoise reportStars) 1 d]
       `shouldSatisfy` (> 10)
+  it "a panorama is as bright as it is said to be, and g⁴ times that" $
+    case (panoramaShader 3 1 <$> skyImageFromPixels 8 4 (\_ _ -> grey 0.5), wide (XYZ 0 1 0)) of
+      (Just (ByBeam shader), beam) -> luminance (shader 2 beam) `shouldBeWithin` (1e-4, 24)
+      _ -> expectationFailure "a panorama needs the beam"
   where
+    shown seed sky = case skyShader seed sky of
+      ByDirection shader -> shader
+      ByBeam shader -> \g d -> shader g (wide d)
+    -- Some hundredths of a radian.
+    wide d@(XYZ x y z) = Beam d (0.02 *^ XYZ y (-x) 0) (0.02 *^ XYZ.cross d (XYZ z 0.1 x))
     -- Evenly over the sphere along a spiral of golden angles.
     directionsOf n = map (onSpiral n) [0 .. n - 1]
     onSpiral :: Int -> Int -> XYZ

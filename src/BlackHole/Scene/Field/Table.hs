@@ -21,7 +21,7 @@ import BlackHole.Scene.Field.Kind
 import BlackHole.Scene.Filter (Filter (..), filterName)
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Shifts (Shifts (..))
-import BlackHole.Scene.Sky (Sky (..), Stars (..), defaultStars)
+import BlackHole.Scene.Sky (PointStars (..), Sky (..), Stars (..), defaultPointStars, defaultStars)
 import BlackHole.Vector.XYZ (XYZ (..))
 import Data.List (find, intercalate)
 import Data.Maybe (isJust)
@@ -99,7 +99,7 @@ sceneFields =
     number Disk "disk.turbulence.frequency" (Quantity "a number of features" (From 0) (UpTo 1000) "") "Features of the turbulence from one radius to e times it" (disk (part Gas.diskTurbulenceFrequency (\v d -> d {Gas.diskTurbulenceFrequency = v}))),
     whole Disk "disk.turbulence.octaves" (1, 8) "" "Octaves of the turbulence, each twice as fine as the one before" (disk (part Gas.diskTurbulenceOctaves (\v d -> d {Gas.diskTurbulenceOctaves = v}))),
     number Disk "disk.turbulence.warp" (Quantity "a number of features" (From 0) (UpTo 100) "") "How far the turbulence is bent out of shape, in features" (disk (part Gas.diskTurbulenceWarp (\v d -> d {Gas.diskTurbulenceWarp = v}))),
-    choice Sky "sky.kind" "a sky" skies "What lies behind: noise (stars), grid, uniform, or none" skyKindPart
+    choice Sky "sky.kind" "a sky" skies "What lies behind: stars (points, and the Milky Way), noise (the report's stars), grid, uniform, or none" skyKindPart
       `withOption` ("sky", "NAME"),
     number Sky "sky.radiance" (Quantity "a radiance" (From 0) (UpTo 1e9) "") "Radiance of a uniform sky; 1 is display white at exposure 0" radiancePart,
     number Sky "sky.stars.frequency" (Quantity "a number of features" (Above 0) (UpTo 1e6) "per radian") "Features of the stars' noise per radian" (stars (part starFrequency (\v s -> s {starFrequency = v}))),
@@ -108,6 +108,9 @@ sceneFields =
     number Sky "sky.stars.sharpness" (Quantity "a steepness" (Above 0) (UpTo 1e6) "") "Steepness of a star's edge" (stars (part starSharpness (\v s -> s {starSharpness = v}))),
     number Sky "sky.stars.brightness" (Quantity "a radiance" (From 0) (UpTo 1e9) "") "Radiance of the brightest stars; 1 is display white at exposure 0" (stars (part starBrightness (\v s -> s {starBrightness = v}))),
     switch Sky "sky.stars.colours" "Whether stars have the colours of black bodies, or are all white" (stars (part starColours (\v s -> s {starColours = v}))),
+    whole Sky "sky.points.count" (1, 1000000) "" "How many stars of the whole sky stand there singly; the naked eye sees 9000 of ours" (pointStars (part pointStarsCount (\v s -> s {pointStarsCount = v}))),
+    number Sky "sky.points.brightness" (Quantity "a brightness" (From 0) (UpTo 1e9) "") "Flux of a star of magnitude 0: 1 gives a pixel of a milliradian squared the radiance 1" (pointStars (part pointStarsBrightness (\v s -> s {pointStarsBrightness = v}))),
+    number Sky "sky.points.milky-way" (Quantity "a radiance" (From 0) (UpTo 1e9) "") "Radiance of the Milky Way where it is bright, 0 without" (pointStars (part pointStarsMilkyWay (\v s -> s {pointStarsMilkyWay = v}))),
     whole Sampling "sampling.samples" (1, 65536) "" "Rays per pixel" (part sceneSamples (\v s -> s {sceneSamples = v}))
       `withOption` ("samples", "N"),
     number Sampling "sampling.noise" (Quantity "a part of white" (From 0) (UpTo 1) "") "Uncertainty of a pixel, as a part of white, beyond which it gets more rays; 0 for never" (part sceneNoise (\v s -> s {sceneNoise = v}))
@@ -150,7 +153,8 @@ sceneFields =
       ]
     profiles = [(ConstantThickness, "constant", "the same everywhere"), (ConstantOpening, "opening", "in proportion to the distance")]
     skies =
-      [ (NoiseSky, "noise", "stars"),
+      [ (StarSky, "stars", "point stars before the Milky Way"),
+        (NoiseSky, "noise", "stars cut out of noise, as the report has them"),
         (GridSky, "grid", "fields of 10 degrees"),
         (UniformSky, "uniform", "the same light everywhere"),
         (NoSky, "none", "dark")
@@ -253,7 +257,7 @@ temperaturePart = disk (Part (temperature . Gas.diskColour) (\v d -> d {Gas.disk
     temperature _ = Nothing
 
 -- | The kinds of sky without what belongs to them.
-data SkyKind = NoiseSky | GridSky | UniformSky | NoSky
+data SkyKind = NoiseSky | StarSky | GridSky | UniformSky | NoSky
   deriving (Eq)
 
 -- Choosing the kind that is there already leaves its settings alone.
@@ -263,6 +267,7 @@ skyKindPart = part (skyKind . sceneSky) $ \kind s ->
   where
     standard kind = case kind of
       NoiseSky -> SkyNoise defaultStars
+      StarSky -> SkyStars defaultPointStars
       GridSky -> SkyGrid
       UniformSky -> SkyUniform 1
       NoSky -> SkyNone
@@ -270,6 +275,7 @@ skyKindPart = part (skyKind . sceneSky) $ \kind s ->
 skyKind :: Sky -> SkyKind
 skyKind sky = case sky of
   SkyNoise _ -> NoiseSky
+  SkyStars _ -> StarSky
   SkyGrid -> GridSky
   SkyUniform _ -> UniformSky
   SkyNone -> NoSky
@@ -286,3 +292,9 @@ stars = inside (Part (noise . sceneSky) (\v s -> s {sceneSky = SkyNoise v}))
   where
     noise (SkyNoise v) = Just v
     noise _ = Nothing
+
+pointStars :: Part PointStars a -> Part Scene a
+pointStars = inside (Part (points . sceneSky) (\v s -> s {sceneSky = SkyStars v}))
+  where
+    points (SkyStars v) = Just v
+    points _ = Nothing

@@ -1,0 +1,48 @@
+-- | The cost of the sky behind one sample, and of making it.
+module SkyBench (benchmarks) where
+
+import BlackHole.Light.Radiance
+import BlackHole.Noise.PerlinG (Seed (..))
+import BlackHole.Trace.Beam
+import BlackHole.Trace.MilkyWay
+import BlackHole.Trace.SkyImage
+import BlackHole.Trace.StarCatalogue
+import BlackHole.Trace.StarField
+import BlackHole.Vector.XYZ (XYZ (..), (*^))
+import qualified BlackHole.Vector.XYZ as XYZ
+import Criterion.Main
+
+benchmarks :: Benchmark
+benchmarks =
+  bgroup
+    "sky"
+    [ bench "catalogue of 60000 stars" (whnf (starCount . starCatalogue (Seed 1)) 60000),
+      bench "arranging them" (whnf (\flux -> through (starField flux stars) (beams 8e-4)) 1),
+      bench "Milky Way" (whnf (luminance . skyImageMean . milkyWay . Seed) 1),
+      bench "1000 beams of a pixel, stars" (whnf (through field) (beams 8e-4)),
+      bench "1000 beams of a pixel, Milky Way" (whnf (behind band) (beams 8e-4)),
+      bench "1000 beams of 0.01 rad, stars" (whnf (through field) (beams 1e-2)),
+      bench "1000 beams of 0.2 rad, stars" (whnf (through field) (beams 0.2)),
+      bench "1000 beams of 0.02 by 0.2 rad, picture" (whnf (behind band) (map slender (beams 0.02)))
+    ]
+  where
+    stars = starCatalogue (Seed 1) 60000
+    field = starField 1 stars
+    band = milkyWay (Seed 1)
+    through :: StarField -> [Beam] -> Double
+    through f = sum . map (luminance . starFieldRadiance f 1)
+    behind :: SkyImage -> [Beam] -> Double
+    behind image = sum . map (luminance . skyImageRadiance image)
+    slender (Beam d a b) = Beam d (10 *^ a) b
+
+-- | Beams of one width in radians all over the sky.
+beams :: Double -> [Beam]
+beams width = map beam [0 .. 999 :: Int]
+  where
+    beam i =
+      let y = 1 - (2 * fromIntegral i + 1) / 1000
+          t = fromIntegral i * 2.399963229728653
+          s = sqrt (1 - y * y)
+          d = XYZ (s * cos t) y (s * sin t)
+          a = XYZ (-(sin t)) 0 (cos t)
+       in Beam d (width *^ a) (width *^ XYZ.cross d a)

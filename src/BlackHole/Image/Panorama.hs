@@ -1,0 +1,148 @@
+-- | A picture of the whole sky from a file.
+--
+-- Whatever the file holds, the outcome is a picture or one line that says what
+-- is wrong: the size that its header claims is checked before any memory is
+-- taken for it, and a decoder's fault becomes a message too.
+module BlackHole.Image.Panorama
+  ( readPanorama,
+    decodePanorama,
+    panoramaSize,
+    maximumPanoramaPixels,
+  )
+where
+
+import BlackHole.Light.Display (decodeSrgb)
+import BlackHole.Light.Radiance
+import BlackHole.Trace.SkyImage
+import Codec.Picture
+import Codec.Picture.Types (convertImage, promoteImage)
+import Control.Exception (IOException, SomeAsyncException (..), SomeException, evaluate, fromException, throwIO, try)
+import Data.Bits (shiftL, (.|.))
+import qualified Data.ByteString as Bytes
+import qualified Data.ByteString.Char8 as Char8
+import Data.List (find)
+import qualified Data.Vector.Unboxed as U
+import System.IO (IOMode (..), hFileSize, withBinaryFile)
+
+-- | The most pixels that a panorama may have: 8192 by 4096, for which the
+-- picture takes some 350 MB while it is made.
+maximumPanoramaPixels :: Int
+maximumPanoramaPixels = 8192 * 4096
+
+-- | Read an equirectangular picture, twice as wide as high: PNG, JPEG, TIFF or
+-- Radiance HDR. Files with 8 or 16 bits a channel are taken for sRGB, those of
+-- floating-point numbers for linear. 'Left' with a message without the file's
+-- name. About 0.2 µs a pixel.
+readPanorama :: FilePath -> IO (Either String SkyImage)
+readPanorama file = do
+  contents <- try (withBinaryFile file ReadMode sized)
+  case contents of
+    Left problem -> pure (Left ("cannot be read: " ++ unwords (lines (show (problem :: IOException)))))
+    Right Nothing -> pure (Left "is too large for a panorama")
+    Right (Just bytes) -> do
+      decoded <- try (evaluate (decodePanorama bytes))
+      case decoded of
+        Right outcome -> pure outcome
+        Left fault
+          | Just (SomeAsyncException _) <- fromException fault -> throwIO (fault :: SomeException)
+          | otherwise -> pure (Left "is damaged: its decoder gave up")
+  where
+    -- No file of that many pixels needs more than 16 bytes for each.
+    sized handle = do
+      size <- hFileSize handle
+      if size > 16 * fromIntegral maximumPanoramaPixels
+        then pure Nothing
+        else Just <$> Bytes.hGetContents handle
+
+-- | The same of a file's bytes. A damaged file may also end in an exception of
+-- the decoder, which 'readPanorama' catches.
+decodePanorama :: Bytes.ByteString -> Either String SkyImage
+decodePanorama bytes = case panoramaSize bytes of
+  Nothing -> Left "is not a PNG, JPEG, TIFF or Radiance HDR picture"
+  Just (width, height)
+    | width < 2 || height < 1 || width /= 2 * height ->
+      Left ("measures " ++ show width ++ " by " ++ show height ++ " pixels; a panorama is twice as wide as high")
+    | width > maximumPanoramaPixels || width * height > maximumPanoramaPixels ->
+      Left ("measures " ++ show width ++ " by " ++ show height ++ " pixels; a panorama may have " ++ show maximumPanoramaPixels)
+    | otherwise -> case decodeImage bytes of
+      Left _ -> Left "is damaged"
+      Right decoded -> pictured decoded
+
+-- | Width and height that a file's header claims; 'Nothing' for other kinds of
+-- files, and for headers that end too early. Linear in the number of a JPEG's
+-- segments or a TIFF's tags.
+panoramaSize :: Bytes.ByteString -> Maybe (Int, Int)
+panoramaSize bytes
+  | Bytes.pack [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a] `Bytes.isPrefixOf` bytes = (,) <$> big 4 16 <*> big 4 20
+  | Bytes.pack [0xff, 0xd8] `Bytes.isPrefixOf` bytes = jpeg 2
+  | Char8.pack "#?" `Bytes.isPrefixOf` bytes = radiance
+  | Bytes.pack [0x49, 0x49, 42, 0] `Bytes.isPrefixOf` bytes = tiff little
+  | Bytes.pack [0x4d, 0x4d, 0, 42] `Bytes.isPrefixOf` bytes = tiff big
+  | otherwise = Nothing
+  where
+    big, little :: Int -> Int -> Maybe Int
+    big count at = Bytes.foldl' (\n b -> n `shiftL` 8 .|. fromIntegral b) 0 <$> slice count at
+    little count at = Bytes.foldr' (\b n -> n `shiftL` 8 .|. fromIntegral b) 0 <$> slice count at
+    slice count at
+      | at < 0 || at > Bytes.length bytes - count = Nothing
+      | otherwise = Just (Bytes.take count (Bytes.drop at bytes))
+    -- Segments up to the first frame header, which has the size.
+    jpeg at = do
+      marker <- big 2 at
+      size <- big 2 (at + 2)
+      if marker >= 0xffc0 && marker <= 0xffcf && marker `notElem` [0xffc4, 0xffc8, 0xffcc]
+        then (,) <$> big 2 (at + 7) <*> big 2 (at + 5)
+        else if marker < 0xff00 || size < 2 then Nothing else jpeg (at + 2 + size)
+    radiance = do
+      line <- find (Char8.pack "-Y " `Bytes.isPrefixOf`) (take 64 (Char8.lines (Bytes.take 65536 bytes)))
+      case Char8.words line of
+        [_, h, _, w] -> do
+          (height, rest) <- Char8.readInt h
+          (width, rest') <- Char8.readInt w
+          if Bytes.null rest && Bytes.null rest' then Just (width, height) else Nothing
+        _ -> Nothing
+    tiff word = do
+      directory <- word 4 4
+      count <- word 2 directory
+      let entries = [directory + 2 + 12 * i | i <- [0 .. count - 1]]
+          tag number = do
+            at <- find (\e -> word 2 e == Just number) entries
+            kind <- word 2 (at + 2)
+            word (if kind == 3 then 2 else 4) (at + 8)
+      (,) <$> tag 256 <*> tag 257
+
+-- | The decoded picture, linear. The header may have lied: its own size counts.
+pictured :: DynamicImage -> Either String SkyImage
+pictured decoded = case decoded of
+  ImageY8 image -> made8 (promoteImage image)
+  ImageYA8 image -> made8 (promoteImage image)
+  ImageRGB8 image -> made8 image
+  ImageRGBA8 image -> made8 (pixelMap (\(PixelRGBA8 r g b _) -> PixelRGB8 r g b) image)
+  ImageYCbCr8 image -> made8 (convertImage image)
+  ImageCMYK8 image -> made8 (convertImage image)
+  ImageY16 image -> made16 (promoteImage image)
+  ImageYA16 image -> made16 (pixelMap (\(PixelYA16 y _) -> PixelRGB16 y y y) image)
+  ImageRGB16 image -> made16 image
+  ImageRGBA16 image -> made16 (pixelMap (\(PixelRGBA16 r g b _) -> PixelRGB16 r g b) image)
+  ImageCMYK16 image -> made16 (convertImage image)
+  ImageYF image -> made image (\y -> let v = positive y in Radiance v v v)
+  ImageRGBF image -> made image (\(PixelRGBF r g b) -> Radiance (positive r) (positive g) (positive b))
+  ImageY32 _ -> Left "has 32-bit whole numbers, which are of no known meaning"
+  where
+    made8 image = made image (\(PixelRGB8 r g b) -> Radiance (code8 r) (code8 g) (code8 b))
+    made16 image = made image (\(PixelRGB16 r g b) -> Radiance (code16 r) (code16 g) (code16 b))
+    code8 v = U.unsafeIndex codes (fromIntegral v)
+    code16 v = decodeSrgb (fromIntegral v / 65535)
+    codes = U.generate 256 (\v -> decodeSrgb (fromIntegral v / 255))
+    -- Light is neither negative nor infinite, whatever a file says.
+    positive :: Float -> Double
+    positive v
+      | v > 0 = min 1e6 (realToFrac v)
+      | otherwise = 0
+
+made :: Pixel pixel => Image pixel -> (pixel -> Radiance) -> Either String SkyImage
+made image light = maybe (Left "is empty") Right (skyImageFromPixels width height (\i j -> light (pixelAt image i j)))
+  where
+    width = imageWidth image
+    height = imageHeight image
+{-# INLINE made #-}
