@@ -1,23 +1,36 @@
--- | All benchmarks, one file per topic.
+-- | All benchmarks, one file per topic; or, with @--table PROGRAM@, the table of
+-- how fast and how exact the program is.
 module Main (main) where
 
 import Criterion.Main (defaultMain)
 import qualified FilmBench
 import qualified FrameBench
+import qualified GasBench
+import qualified LensBench
 import qualified LightBench
 import qualified NoiseBench
 import qualified OrbitBench
 import qualified PathBench
 import qualified SkyBench
+import System.Environment (getArgs)
+import System.IO (hSetEncoding, stdout, utf8)
+import Table (printTable)
 
 main :: IO ()
-main =
-  defaultMain
-    [ NoiseBench.benchmarks,
-      OrbitBench.benchmarks,
-      PathBench.benchmarks,
-      LightBench.benchmarks,
-      SkyBench.benchmarks,
-      FrameBench.benchmarks,
-      FilmBench.benchmarks
-    ]
+main = do
+  hSetEncoding stdout utf8
+  arguments <- getArgs
+  case arguments of
+    "--table" : program : rest -> printTable program ("--huge" `elem` rest)
+    _ ->
+      defaultMain
+        [ NoiseBench.benchmarks,
+          OrbitBench.benchmarks,
+          LensBench.benchmarks,
+          PathBench.benchmarks,
+          LightBench.benchmarks,
+          GasBench.benchmarks,
+          SkyBench.benchmarks,
+          FrameBench.benchmarks,
+          FilmBench.benchmarks
+        ]

@@ -5,6 +5,7 @@ import qualified BlackHole.Animation.CameraPathSpec
 import qualified BlackHole.Animation.ClaimSpec
 import qualified BlackHole.Animation.DigestSpec
 import qualified BlackHole.Animation.ExposureSpec
+import qualified BlackHole.Animation.FeedSpec
 import qualified BlackHole.Animation.FilmFileSpec
 import qualified BlackHole.Animation.FilmSpec
 import qualified BlackHole.Animation.FrameNameSpec
@@ -45,17 +46,24 @@ import qualified BlackHole.Noise.LatticeSpec
 import qualified BlackHole.Noise.PerlinGSpec
 import qualified BlackHole.Noise.ProfileSpec
 import qualified BlackHole.Noise.RememberedSpec
+import qualified BlackHole.Noise.SheetsSpec
 import qualified BlackHole.Noise.SipHashSpec
+import qualified BlackHole.Numeric.ExponentialSpec
+import qualified BlackHole.Numeric.FloorSpec
 import qualified BlackHole.Physics.CourseSpec
 import qualified BlackHole.Physics.EllipticSpec
 import qualified BlackHole.Physics.ExactPathSpec
 import qualified BlackHole.Physics.FreeFallSpec
 import qualified BlackHole.Physics.GasMotionSpec
 import qualified BlackHole.Physics.LeapfrogSpec
+import qualified BlackHole.Physics.LensBeamSpec
+import qualified BlackHole.Physics.LensTableSpec
 import qualified BlackHole.Physics.ObserverSpec
 import qualified BlackHole.Physics.OrbitSpec
 import qualified BlackHole.Physics.PathReportSpec
 import qualified BlackHole.Physics.RedshiftSpec
+import qualified BlackHole.Physics.SweepSpec
+import qualified BlackHole.Physics.SweptPathSpec
 import qualified BlackHole.Physics.ThinDiskSpec
 import qualified BlackHole.Render.BloomSpec
 import qualified BlackHole.Render.FilmSpec
@@ -72,14 +80,17 @@ import qualified BlackHole.SelfTest.CheckSpec
 import qualified BlackHole.SelfTest.SuiteSpec
 import qualified BlackHole.SelfTest.TableSpec
 import qualified BlackHole.Trace.BeamSpec
+import qualified BlackHole.Trace.EstimateSpec
 import qualified BlackHole.Trace.ExplainSpec
 import qualified BlackHole.Trace.GasSpec
 import qualified BlackHole.Trace.PixelSpec
 import qualified BlackHole.Trace.PlaneCrossingSpec
+import qualified BlackHole.Trace.SamplingSpec
 import qualified BlackHole.Trace.SkyImageSpec
 import qualified BlackHole.Trace.SkySpec
 import qualified BlackHole.Trace.StarCatalogueSpec
 import qualified BlackHole.Trace.StarFieldSpec
+import qualified BlackHole.Trace.TabulatedSpec
 import qualified BlackHole.Vector.XYSpec
 import qualified BlackHole.Vector.XYZSpec
 import qualified ProgramSpec
@@ -92,6 +103,7 @@ main = hspec $ do
   describe "BlackHole.Animation.Claim" BlackHole.Animation.ClaimSpec.spec
   describe "BlackHole.Animation.Digest" BlackHole.Animation.DigestSpec.spec
   describe "BlackHole.Animation.Exposure" BlackHole.Animation.ExposureSpec.spec
+  describe "BlackHole.Animation.Feed" BlackHole.Animation.FeedSpec.spec
   describe "BlackHole.Animation.FilmFile" BlackHole.Animation.FilmFileSpec.spec
   describe "BlackHole.Animation.Film" BlackHole.Animation.FilmSpec.spec
   describe "BlackHole.Animation.FrameName" BlackHole.Animation.FrameNameSpec.spec
@@ -132,17 +144,24 @@ main = hspec $ do
   describe "BlackHole.Noise.PerlinG" BlackHole.Noise.PerlinGSpec.spec
   describe "BlackHole.Noise.Profile" BlackHole.Noise.ProfileSpec.spec
   describe "BlackHole.Noise.Remembered" BlackHole.Noise.RememberedSpec.spec
+  describe "BlackHole.Noise.Sheets" BlackHole.Noise.SheetsSpec.spec
   describe "BlackHole.Noise.SipHash" BlackHole.Noise.SipHashSpec.spec
+  describe "BlackHole.Numeric.Exponential" BlackHole.Numeric.ExponentialSpec.spec
+  describe "BlackHole.Numeric.Floor" BlackHole.Numeric.FloorSpec.spec
   describe "BlackHole.Physics.Course" BlackHole.Physics.CourseSpec.spec
   describe "BlackHole.Physics.Elliptic" BlackHole.Physics.EllipticSpec.spec
   describe "BlackHole.Physics.ExactPath" BlackHole.Physics.ExactPathSpec.spec
   describe "BlackHole.Physics.FreeFall" BlackHole.Physics.FreeFallSpec.spec
   describe "BlackHole.Physics.GasMotion" BlackHole.Physics.GasMotionSpec.spec
   describe "BlackHole.Physics.Leapfrog" BlackHole.Physics.LeapfrogSpec.spec
+  describe "BlackHole.Physics.LensBeam" BlackHole.Physics.LensBeamSpec.spec
+  describe "BlackHole.Physics.LensTable" BlackHole.Physics.LensTableSpec.spec
   describe "BlackHole.Physics.Observer" BlackHole.Physics.ObserverSpec.spec
   describe "BlackHole.Physics.Orbit" BlackHole.Physics.OrbitSpec.spec
   describe "BlackHole.Physics.PathReport" BlackHole.Physics.PathReportSpec.spec
   describe "BlackHole.Physics.Redshift" BlackHole.Physics.RedshiftSpec.spec
+  describe "BlackHole.Physics.Sweep" BlackHole.Physics.SweepSpec.spec
+  describe "BlackHole.Physics.SweptPath" BlackHole.Physics.SweptPathSpec.spec
   describe "BlackHole.Physics.ThinDisk" BlackHole.Physics.ThinDiskSpec.spec
   describe "BlackHole.Render.Bloom" BlackHole.Render.BloomSpec.spec
   describe "BlackHole.Render.Film" BlackHole.Render.FilmSpec.spec
@@ -159,14 +178,17 @@ main = hspec $ do
   describe "BlackHole.SelfTest.Suite" BlackHole.SelfTest.SuiteSpec.spec
   describe "BlackHole.SelfTest.Table" BlackHole.SelfTest.TableSpec.spec
   describe "BlackHole.Trace.Beam" BlackHole.Trace.BeamSpec.spec
+  describe "BlackHole.Trace.Estimate" BlackHole.Trace.EstimateSpec.spec
   describe "BlackHole.Trace.Explain" BlackHole.Trace.ExplainSpec.spec
   describe "BlackHole.Trace.Gas" BlackHole.Trace.GasSpec.spec
   describe "BlackHole.Trace.Pixel" BlackHole.Trace.PixelSpec.spec
   describe "BlackHole.Trace.PlaneCrossing" BlackHole.Trace.PlaneCrossingSpec.spec
+  describe "BlackHole.Trace.Sampling" BlackHole.Trace.SamplingSpec.spec
   describe "BlackHole.Trace.SkyImage" BlackHole.Trace.SkyImageSpec.spec
   describe "BlackHole.Trace.Sky" BlackHole.Trace.SkySpec.spec
   describe "BlackHole.Trace.StarCatalogue" BlackHole.Trace.StarCatalogueSpec.spec
   describe "BlackHole.Trace.StarField" BlackHole.Trace.StarFieldSpec.spec
+  describe "BlackHole.Trace.Tabulated" BlackHole.Trace.TabulatedSpec.spec
   describe "BlackHole.Vector.XY" BlackHole.Vector.XYSpec.spec
   describe "BlackHole.Vector.XYZ" BlackHole.Vector.XYZSpec.spec
   describe "Program" ProgramSpec.spec

@@ -19,6 +19,7 @@ module BlackHole.Animation.Ledger
     Record (..),
     storeFrame,
     removeLeftOver,
+    sweepFrame,
 
     -- * The list of all frames
     writeFrameList,
@@ -29,7 +30,8 @@ where
 import BlackHole.Animation.Claim
 import BlackHole.Animation.Digest
 import BlackHole.Animation.FrameName
-import Control.Exception (IOException, catch, onException)
+import Control.Exception (IOException, catch, finally, onException)
+import Control.Monad (unless, when)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Char8
 import qualified Data.ByteString.Lazy as Lazy
@@ -109,28 +111,43 @@ frameCondition ledger frame scene = do
 -- | Put a frame's file into its place, then its record.
 storeFrame :: Ledger -> Int -> Digest -> Double -> Lazy.ByteString -> IO ()
 storeFrame ledger frame scene seconds bytes = do
-  inOneStep ledger frame (frameFile (ledgerFrameName ledger) frame) bytes
-  inOneStep ledger frame (recordPath ledger frame) . LazyChar8.pack . renderRecord $
+  inOneStep ledger name (frameFile (ledgerFrameName ledger) frame) bytes
+  inOneStep ledger name (recordPath ledger frame) . LazyChar8.pack . renderRecord $
     Record scene (digestBytes bytes) (toInteger (Lazy.length bytes)) seconds
+  where
+    name = frameLabel ledger frame
+
+-- | Clear away what a process that is gone has left of a frame that is finished:
+-- it may have been killed before it could give its claim back.
+sweepFrame :: Ledger -> Int -> IO ()
+sweepFrame ledger frame = do
+  left <- doesFileExist (claimFile claims name)
+  when left $ do
+    claimed <- takeClaim claims name
+    case claimed of
+      Claimed former -> mapM_ (removeLeftOver ledger frame) former >> releaseClaim claims name
+      HeldBy _ -> pure ()
+  where
+    claims = ledgerClaims ledger
+    name = frameLabel ledger frame
 
 -- | Remove what a holder that is gone may have left of a frame.
 removeLeftOver :: Ledger -> Int -> Holder -> IO ()
 removeLeftOver ledger frame holder =
-  quietly () (removeFile (partPath ledger frame holder))
+  quietly () (removeFile (partPath ledger (frameLabel ledger frame) holder))
 
 -- Whoever is killed while he writes leaves the part behind under a name that
 -- whoever takes over his claim can tell.
-inOneStep :: Ledger -> Int -> FilePath -> Lazy.ByteString -> IO ()
-inOneStep ledger frame target bytes =
+inOneStep :: Ledger -> String -> FilePath -> Lazy.ByteString -> IO ()
+inOneStep ledger name target bytes =
   (withBinaryFile part WriteMode (`Lazy.hPut` bytes) >> renameFile part target)
-    `onException` removeLeftOver ledger frame holder
+    `onException` quietly () (removeFile part)
   where
-    holder = claimFolderHolder (ledgerClaims ledger)
-    part = partPath ledger frame holder
+    part = partPath ledger name (claimFolderHolder (ledgerClaims ledger))
 
-partPath :: Ledger -> Int -> Holder -> FilePath
-partPath ledger frame holder =
-  ledgerPath ledger </> (frameLabel ledger frame ++ "." ++ filter (/= '/') (holderHost holder) ++ "." ++ show (holderProcess holder) ++ ".part")
+partPath :: Ledger -> String -> Holder -> FilePath
+partPath ledger name holder =
+  ledgerPath ledger </> (name ++ "." ++ filter (/= '/') (holderHost holder) ++ "." ++ show (holderProcess holder) ++ ".part")
 
 recordPath :: Ledger -> Int -> FilePath
 recordPath ledger frame = ledgerPath ledger </> (frameLabel ledger frame ++ ".done")
@@ -164,20 +181,33 @@ parseRecord text =
       _ -> Nothing
 
 -- | Write down which frames there are to be, with the fingerprints of their
--- scenes; takes the place of an earlier list of the same pattern.
+-- scenes; takes the place of an earlier list of the same pattern. If another
+-- process is writing one at this moment, that is the later one.
 writeFrameList :: Ledger -> [(Int, Digest)] -> IO ()
-writeFrameList ledger frames =
-  inOneStep ledger 0 path . LazyChar8.pack . unlines $
-    [show frame ++ " " ++ digestHex scene | (frame, scene) <- frames]
+writeFrameList ledger frames = do
+  claimed <- takeClaim claims name
+  case claimed of
+    HeldBy _ -> pure ()
+    Claimed former -> (mapM_ (sweep . partPath ledger name) former >> write) `finally` releaseClaim claims name
   where
-    path = ledgerPath ledger </> (takeFileName (framePattern (ledgerFrameName ledger)) ++ ".film")
+    write = do
+      before <- quietly Bytes.empty (Bytes.readFile path)
+      unless (before == Lazy.toStrict content) $ inOneStep ledger name path content
+    sweep = quietly () . removeFile
+    claims = ledgerClaims ledger
+    name = takeFileName (framePattern (ledgerFrameName ledger)) ++ listExtension
+    path = ledgerPath ledger </> name
+    content = LazyChar8.pack (unlines [show frame ++ " " ++ digestHex scene | (frame, scene) <- frames])
+
+listExtension :: String
+listExtension = ".film"
 
 -- | All lists in a folder of frames, with their patterns; none if there is no
 -- ledger. Lists that are not legible are left out.
 readFrameLists :: FilePath -> IO [(FrameName, [(Int, Digest)])]
 readFrameLists folder = do
   names <- quietly [] (listDirectory ledger)
-  found <- mapM load (sort (filter (".film" `isSuffixOf`) names))
+  found <- mapM load (sort (filter (listExtension `isSuffixOf`) names))
   pure (concat found)
   where
     ledger = folder </> ledgerFolderName
@@ -186,7 +216,7 @@ readFrameLists folder = do
       pure $ case (parseFrameName (folder </> escapeless name), traverse entry (lines text)) of
         (Right pattern', Just frames) -> [(pattern', frames)]
         _ -> []
-    escapeless name = take (length name - length ".film") name
+    escapeless name = take (length name - length listExtension) name
     entry line = case words line of
       [frame, digest] -> (,) <$> readMaybe frame <*> parseDigest digest
       _ -> Nothing

@@ -85,7 +85,7 @@ workThrough ledger patience begun ended render jobs = do
     make job = do
       before <- frameCondition ledger (jobFrame job) (jobScene job)
       case before of
-        Finished _ -> pure WasDone
+        Finished _ -> WasDone <$ sweepFrame ledger (jobFrame job)
         _ -> do
           claimed <- takeClaim claims (name job)
           case claimed of

@@ -11,14 +11,12 @@ module BlackHole.Cli.Animate
   )
 where
 
-import BlackHole.Animation.Claim (holderName)
 import BlackHole.Animation.Film
 import BlackHole.Animation.FrameName
-import BlackHole.Animation.Progress
-import BlackHole.Animation.Queue (Outcome (..))
 import BlackHole.Animation.Shoot
 import BlackHole.Animation.Status
 import BlackHole.Animation.Video
+import BlackHole.Cli.AnimateReport
 import BlackHole.Cli.CodingOptions (codingOptions)
 import BlackHole.Cli.FilmScene (frameFaults, maximumFaults)
 import BlackHole.Cli.Read
@@ -30,19 +28,14 @@ import BlackHole.Scene.Scene (Scene)
 import BlackHole.Scene.Validate
 import Control.Concurrent (myThreadId, throwTo)
 import Control.Exception (AsyncException (UserInterrupt), IOException, bracket, try)
-import Control.Monad (unless, when)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (isDigit, toLower)
-import Data.Foldable (fold)
-import Data.IORef (newIORef, readIORef, writeIORef)
 import Data.List (intercalate)
 import Data.Maybe (fromMaybe, listToMaybe)
-import GHC.Clock (getMonotonicTime)
 import Options.Applicative
 import System.Directory (doesDirectoryExist)
 import System.Environment (getEnvironment)
 import System.FilePath (takeExtension)
-import System.IO (hFlush, hIsTerminalDevice, hPutStr, hPutStrLn, stderr)
 import System.Posix.Signals (Handler (Catch), installHandler, sigTERM)
 import Text.Read (readMaybe)
 
@@ -155,62 +148,79 @@ runFilm ::
 runFilm options say text develop film = do
   environment <- getEnvironment
   coder <- findCoder
-  crew <- maybe defaultWorkers pure (workers =<< animateThreads options)
-  case (usage, shardOf environment) of
-    (problems@(_ : _), _) -> WrongArguments <$ mapM_ (say . renderProblem) problems
-    (_, Left reason) -> WrongArguments <$ say ("--shard: " ++ reason)
-    (_, Right shard) -> case (filmProblems film, selected shard, parseFrameName (animateOutput options)) of
-      (problems@(_ : _), _, _) -> WrongFilm <$ mapM_ (say . renderProblem) problems
-      (_, _, Left wanted) -> WrongArguments <$ say ("--output: '" ++ animateOutput options ++ "' is not " ++ wanted)
-      (_, frames, Right name) -> case (frameFaults film frames, video coder) of
-        (problems@(_ : _), _) -> WrongFilm <$ mapM_ say (take maximumFaults problems)
-        (_, Just []) -> CannotStart <$ say "--video: ffmpeg is not installed (on Debian and Ubuntu: apt-get install ffmpeg); nothing has been rendered"
-        (_, coding) ->
-          interruptible . withWorkers crew $
-            run (Shooting film frames name (animatePatience options) crew (listToMaybe (fold coding)) text (develop crew))
-  where
-    usage =
-      [Problem "--video" ("'" ++ file ++ "'") ("a file name that ends in one of " ++ intercalate ", " videoExtensions) | Just file <- [animateVideo options], Nothing <- [videoKind file]]
-        ++ [Problem "--video" "a part of a film" "possible: make the film file with a run of all its frames, those that are done are not rendered again" | Just _ <- [animateVideo options], Just _ <- [animateShard options]]
-        ++ [Problem "--video" ("with frames in files like '" ++ animateOutput options ++ "'") "possible; name them .png" | map toLower (takeExtension (animateOutput options)) /= ".png", Just _ <- [animateVideo options]]
-        ++ [Problem "--threads" (show n) ("a whole number from 1 to " ++ show maximumWorkers) | Just n <- [animateThreads options], Nothing <- [workers n]]
-        ++ [Problem "--frames" (show from) ("a frame of a film of " ++ show (filmFrames film)) | Just (from, _) <- [animateFrames options], from >= filmFrames film]
-        ++ [Problem "--stale-after" (show (animatePatience options)) "a number of seconds from 1 on" | isNaN (animatePatience options) || animatePatience options < 1]
-    shardOf environment = case animateShard options of
-      Nothing -> Right wholeShard
-      Just (TheShard shard) -> Right shard
-      Just SlurmShard -> slurmShard (`lookup` environment)
-    selected shard = takeShard shard (range (animateFrames options))
-    range Nothing = [0 .. filmFrames film - 1]
-    range (Just (from, to)) = [from .. maybe id min to (filmFrames film - 1)]
-    video coder = do
-      file <- animateVideo options
-      kind <- videoKind file
-      pure [(program, kind, file) | Just program <- [coder]]
-    run shooting = do
+  case plan options environment coder film of
+    Left (ending, problems) -> ending <$ mapM_ say problems
+    Right (name, frames, video) -> do
+      crew <- maybe defaultWorkers pure (workers =<< animateThreads options)
       teller <- newTeller say
-      shot <- try (shoot shooting teller)
+      shot <-
+        try . interruptible . withWorkers crew $
+          shoot (Shooting film frames name (animatePatience options) crew video text (develop crew)) teller
       clearLine
       case shot of
         Left refusal -> CannotStart <$ say ("--output: the frames cannot be written: " ++ show (refusal :: IOException))
-        Right done -> report done
-    report shot = do
-      say (summary (shotTally shot))
-      let elsewhere = [(n, holder) | (n, Elsewhere holder) <- shotOutcomes shot]
-          failed = [(n, reason) | (n, Failed reason) <- shotOutcomes shot]
-      unless (null elsewhere) $
-        say ("frames " ++ frameRanges (map fst elsewhere) ++ " are in work elsewhere" ++ whose [holder | (_, Just holder) <- elsewhere])
-      mapM_ (\(n, reason) -> say ("frame " ++ show n ++ " failed: " ++ reason)) failed
-      mapM_ (say . ("no film file: " ++) . (++ "; the frames are kept, and another run makes it of them")) (shotVideoFault shot)
-      pure (if null failed && null (shotVideoFault shot) then Complete else Incomplete)
-    whose holders = case holders of
-      holder : _ -> " (" ++ holderName holder ++ (if length holders > 1 then ", ..." else "") ++ ")"
-      [] -> ""
-    summary tally =
-      show (tallyFrames tally) ++ " frames: " ++ show (tallyRendered tally) ++ " rendered"
-        ++ (if tallyRendered tally > 0 then " in " ++ durationText (tallySeconds tally) else "")
-        ++ (if tallyFound tally > 0 then ", " ++ show (tallyFound tally) ++ " were done" else "")
-        ++ (if tallyFailed tally > 0 then ", " ++ show (tallyFailed tally) ++ " failed" else "")
+        Right done -> do
+          mapM_ say (reportLines done)
+          pure (if isWhole done then Complete else Incomplete)
+
+-- | What a run is to do, given the environment's variables and the coder of
+-- films: the files' names, the frames, the film file. Or why not, in lines.
+plan ::
+  AnimateOptions scene ->
+  [(String, String)] ->
+  Maybe FilePath ->
+  Film ->
+  Either (Ending, [String]) (FrameName, [Int], Maybe (FilePath, VideoKind, FilePath))
+plan options environment coder film = do
+  refuse WrongArguments (map renderProblem (usageProblems options film))
+  shard <- either (Left . (,) WrongArguments . pure . ("--shard: " ++)) Right (shardOf (animateShard options))
+  name <- either (Left . (,) WrongArguments . pure . (("--output: '" ++ output ++ "' is not ") ++)) Right (parseFrameName output)
+  refuse WrongFilm (map renderProblem (filmProblems film))
+  let frames = takeShard shard selected
+  refuse WrongFilm (take maximumFaults (frameFaults film frames))
+  video <- traverse coded [(kind, file) | Just file <- [animateVideo options], Just kind <- [videoKind file]]
+  Right (name, frames, listToMaybe video)
+  where
+    output = animateOutput options
+    refuse ending problems = if null problems then Right () else Left (ending, problems)
+    shardOf choice = case choice of
+      Nothing -> Right wholeShard
+      Just (TheShard shard) -> Right shard
+      Just SlurmShard -> slurmShard (`lookup` environment)
+    selected = case animateFrames options of
+      Nothing -> [0 .. filmFrames film - 1]
+      Just (from, to) -> [from .. maybe id min to (filmFrames film - 1)]
+    coded (kind, file) = case coder of
+      Just program -> Right (program, kind, file)
+      Nothing -> Left (CannotStart, ["--video: ffmpeg is not installed (on Debian and Ubuntu: apt-get install ffmpeg); nothing has been rendered"])
+
+usageProblems :: AnimateOptions scene -> Film -> [Problem]
+usageProblems options film =
+  [ Problem "--video" ("'" ++ file ++ "'") ("a file name that ends in one of " ++ intercalate ", " videoExtensions)
+    | Just file <- [animateVideo options],
+      Nothing <- [videoKind file]
+  ]
+    ++ [ Problem "--video" "a part of a film" "possible: make the film file with a run of all its frames, those that are done are not rendered again"
+         | Just _ <- [animateVideo options],
+           Just _ <- [animateShard options]
+       ]
+    ++ [ Problem "--video" ("with frames in files like '" ++ animateOutput options ++ "'") "possible; name them .png"
+         | map toLower (takeExtension (animateOutput options)) /= ".png",
+           Just _ <- [animateVideo options]
+       ]
+    ++ [ Problem "--threads" (show n) ("a whole number from 1 to " ++ show maximumWorkers)
+         | Just n <- [animateThreads options],
+           Nothing <- [workers n]
+       ]
+    ++ [ Problem "--frames" (show from) ("a frame of a film of " ++ show (filmFrames film))
+         | Just (from, _) <- [animateFrames options],
+           from >= filmFrames film
+       ]
+    ++ [ Problem "--stale-after" (show patience) "a number of seconds from 1 on"
+         | isNaN patience || patience < 1
+       ]
+  where
+    patience = animatePatience options
 
 -- | Let a request to end be an interrupt, so that claims are given back and
 -- parts removed: batch systems send one before they kill.
@@ -221,33 +231,6 @@ interruptible work = do
     (installHandler sigTERM (Catch (throwTo thread UserInterrupt)) Nothing)
     (\former -> installHandler sigTERM former Nothing)
     (const work)
-
--- | A listener that draws a bar on a terminal, and elsewhere writes a line every
--- five seconds.
-newTeller :: (String -> IO ()) -> IO (Told -> IO ())
-newTeller say = do
-  terminal <- hIsTerminalDevice stderr
-  start <- getMonotonicTime
-  told <- newIORef (if terminal then start - 1 else start)
-  pure $ \news -> do
-    now <- getMonotonicTime
-    before <- readIORef told
-    case news of
-      Remark line -> clearLine >> say line
-      Progressed current tally
-        | terminal -> when (now - before >= 0.1) $ do
-          writeIORef told now
-          hPutStr stderr ("\r\ESC[K" ++ progressBar 24 tally ++ " " ++ progressLine current tally)
-          hFlush stderr
-        | otherwise -> when (now - before >= 5) $ do
-          writeIORef told now
-          hPutStrLn stderr (progressLine current tally)
-
--- | Clear the bar from a terminal.
-clearLine :: IO ()
-clearLine = do
-  terminal <- hIsTerminalDevice stderr
-  when terminal $ hPutStr stderr "\r\ESC[K"
 
 -- | Print what a folder's films lack; whether there are any and all are
 -- complete. The first argument says a line of complaint.

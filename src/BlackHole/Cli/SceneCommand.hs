@@ -44,10 +44,10 @@ sceneCommand =
 -- | What a command prints, or a line for everything that is wrong.
 sceneText :: SceneCommand -> IO (Either [String] String)
 sceneText task = case task of
-  ListScenes -> pure (Right (unlines [name ++ replicate (10 - length name) ' ' ++ describePreset name | name <- presetNames]))
-  ShowScene name -> pure $ case findPreset name of
-    Just scene -> Right (printScene ["The preset " ++ name ++ ": " ++ describePreset name ++ "."] scene)
-    Nothing -> Left [renderProblem (Problem "scene show" ("'" ++ name ++ "'") ("a preset" ++ suggestion name presetNames ++ "; there are: " ++ intercalate ", " presetNames))]
+  ListScenes -> pure (Right (unlines [presetName p ++ replicate (14 - length (presetName p)) ' ' ++ presetShows p | p <- describedPresets]))
+  ShowScene name -> pure $ case [p | p <- describedPresets, presetName p == name] of
+    p : _ -> Right (printScene ["The preset " ++ name ++ ": " ++ presetShows p ++ "."] (presetScene p))
+    [] -> Left [renderProblem (Problem "scene show" ("'" ++ name ++ "'") ("a preset" ++ suggestion name presetNames ++ "; there are: " ++ intercalate ", " presetNames))]
   CheckScene file -> do
     film <- loadFilm (SceneOptions (Just file) Nothing [])
     pure $ case film of

@@ -11,7 +11,8 @@
 --
 -- /The parameter/ is @w = tan(ψ\/4)@: smooth and monotone from 0 (outwards) to 1
 -- (inwards) and rational in the components of the velocity. Inside the horizon,
--- where nobody is at rest to measure ψ, it is @b\/(b + b_c)@.
+-- where nobody is at rest to measure ψ, it is that of somebody who falls in from
+-- rest at infinity.
 --
 -- /The nodes./ At the critical @w_c@, where light winds round the photon sphere
 -- for ever, everything varies as the logarithm of @|w − w_c|@. So each octave of
@@ -24,6 +25,7 @@ module BlackHole.Physics.LensTable
     lensTableRadius,
     lensTableSize,
     lensSweep,
+    lensTurning,
   )
 where
 
@@ -40,7 +42,8 @@ import GHC.Float (castDoubleToWord64)
 -- | What the parameter of a place's paths depends on.
 data Family = Family
   { familyRadius :: {-# UNPACK #-} !Double,
-    -- | √|1 − 1/r|, the lapse of an observer at rest there.
+    -- | √(1 − 1/r), the lapse of an observer at rest there; inside the horizon
+    -- √(1/r), the speed of one who falls in from rest at infinity.
     _familyLapse :: {-# UNPACK #-} !Double,
     familyCritical :: {-# UNPACK #-} !Double
   }
@@ -65,7 +68,7 @@ lensTable r =
         numbers <$ zipWithM_ (fillBlock numbers family) offsets blocks
     }
   where
-    family = Family r (sqrt (abs (1 - 1 / r))) (criticalParameter r)
+    family = Family r (if r > 1 then sqrt (1 - 1 / r) else sqrt (1 / r)) (criticalParameter r)
     blocks = [block family side octave | side <- [minBound ..], octave <- [0 .. octaveCount - 1]]
     offsets = scanl (+) 0 (map blockSize blocks)
 
@@ -85,7 +88,10 @@ data Side = Escaping | Falling
 -- cos ψ_c is −(1 − 3u/2)√(1 + 3u), free of cancellation at r = 3/2.
 criticalParameter :: Double -> Double
 criticalParameter r
-  | r <= 1 = 0.5
+  | r <= 1 =
+    let infall = sqrt (1 / r)
+        t = criticalImpactParameter / r
+     in fallingParameter infall (sqrt (1 + (infall * infall - 1) * t * t)) t
   | otherwise = quarterTangent cosine (criticalImpactParameter * sqrt (1 - u) * u)
   where
     u = 1 / r
@@ -101,11 +107,20 @@ quarterTangent cosine sine = sine / (high + sqrt (2 * high))
       | otherwise = 1 + cosine
 {-# INLINE quarterTangent #-}
 
+-- | tan(ψ/4) for somebody who falls at this speed (the aberration of what
+-- somebody at rest would see, where there is one), from the velocity of a photon
+-- of unit energy.
+fallingParameter :: Double -> Double -> Double -> Double
+fallingParameter infall radial tangential = half / (1 + sqrt (1 + half * half))
+  where
+    half = tangential * (1 + infall) / (1 + radial)
+{-# INLINE fallingParameter #-}
+
 -- | The parameter of a photon of unit energy.
 parameterOf :: Family -> Double -> Double -> Double
 parameterOf (Family r lapse _) radial tangential
   | r > 1 = quarterTangent radial (tangential * lapse)
-  | otherwise = let b = r * tangential in b / (b + criticalImpactParameter)
+  | otherwise = fallingParameter lapse radial tangential
 {-# INLINE parameterOf #-}
 
 -- | A member of the family: its pseudo-velocity, radial and tangential. The
@@ -120,9 +135,9 @@ velocityAt (Family r lapse _) w
           2 * halfSine * halfCosine / lapse
         )
   | otherwise =
-    let b = criticalImpactParameter * w / max 1e-3 (1 - w)
-        t = b / r
-     in (sqrt (1 + lapse * lapse * t * t), t)
+    let half = 2 * w / (1 - w * w)
+        t = 2 * half / ((1 + lapse) - (lapse - 1) * half * half)
+     in (sqrt (1 + (lapse * lapse - 1) * t * t), t)
 
 -- | Octaves of the distance from the critical parameter, from 1 down.
 octaveCount :: Int
@@ -158,7 +173,7 @@ headSize = 3
 block :: Family -> Side -> Int -> Block
 block family side octave = case side of
   Escaping -> within critical (critical - nearest) (negate step)
-  Falling -> within (1 - critical) (critical + nearest) step
+  Falling -> within (if familyRadius family > 1 then 1 - critical else 0) (critical + nearest) step
   where
     critical = familyCritical family
     nearest = 0.5 ^^ (octave + 1)
@@ -176,7 +191,7 @@ memberAt family w = Member (signum t) (orbit (familyRadius family) radial (abs t
   where
     (radial, tangential) = velocityAt family w
     -- A radial photon sweeps no angle to speak of; its neighbour does.
-    t = if abs tangential < 1e-9 then 1e-9 else tangential
+    t = if abs tangential < 1e-12 then 1e-12 else tangential
 
 fillBlock :: MutablePrimArray s Double -> Family -> Int -> Block -> ST s ()
 fillBlock numbers family offset b =
@@ -261,3 +276,32 @@ lensSweep table !radial !tangential
 -- | The distance from the critical parameter below which the table ends.
 closest :: Double
 closest = 0.5 ^^ octaveCount
+
+-- | How the angle swept up to infinity changes between two neighbouring photons
+-- of unit energy, each given by its radial and tangential velocity: the
+-- difference of their parameters times the slope at the first. 'Nothing' where
+-- the first does not escape or is closer to the critical one than the table.
+lensTurning :: LensTable -> (Double, Double) -> (Double, Double) -> Maybe Double
+lensTurning table (radial, tangential) (radial', tangential')
+  | distance < closest || offset > 0 = Nothing
+  | otherwise = Just (slope * change)
+  where
+    family = tableFamily table
+    !w = parameterOf family radial tangential
+    !offset = w - familyCritical family
+    !distance = abs offset
+    !change = negate (parameterOf family radial' tangential' - w)
+    !bits = castDoubleToWord64 distance
+    !octave = 1022 - fromIntegral (bits `unsafeShiftR` 52) :: Int
+    !segment = fromIntegral ((bits `unsafeShiftR` 46) .&. 63) :: Int
+    !t = fromIntegral (bits .&. 0x3fffffffffff) / 70368744177664 :: Double
+    !begin = indexPrimArray (tableBlocks table) (2 * max 0 octave)
+    !cells = indexPrimArray (tableBlocks table) (2 * max 0 octave + 1)
+    !row = begin + segment * rowSize cells
+    !row' = row + rowSize cells
+    at = indexPrimArray (tableNumbers table)
+    -- The derivative of Hermite's interpolation, over the length of a segment.
+    !slope =
+      (6 * t * (t - 1) * (at row - at row') + (1 - t) * (1 - 3 * t) * at (row + 1) + t * (3 * t - 2) * at (row' + 1))
+        * fromIntegral segmentCount
+        * 2 ^^ (octave + 1)

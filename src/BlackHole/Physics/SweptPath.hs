@@ -77,7 +77,8 @@ followSwept space table region phase (Photon place velocity) gather = start
     uInner = 1 / max 1e-3 (regionInnerRadius region)
     -- The greatest sine of the gas's latitude where 1/r is u.
     steepest u = height * u + flare
-    steepestAll = steepest uInner
+    -- Light that starts outside the horizon never comes inside.
+    steepestAll = steepest (min uInner (max 1 (1 / r0)))
 
     start state
       | height < 0 || regionRadius region <= 0 = end 0 state
@@ -104,9 +105,10 @@ followSwept space table region phase (Photon place velocity) gather = start
                 let half = min widest (arcSine (steepest v / tilt))
                     refined side = min widest (arcSine (steepest (max 0 (expansionValue path (offset + side))) / tilt))
                     -- The interval's ends: where the gas's height depends on
-                    -- the radius, from the radius found there.
+                    -- the radius, from the radius found there, unless it varies
+                    -- so much within the interval that one look is no proof.
                     (before, after)
-                      | height <= 0 || widest > 0.2 = (widest, widest)
+                      | height <= 0 || widest > 0.2 || height * abs (expansionSlope path offset) > 0.25 * tilt = (widest, widest)
                       | otherwise = (refined (negate half), refined half)
                  in cells n phase (max 0 (angle - before)) (min lastAngle (angle + after)) (angle + pi) state
     widest = arcSine (min 1 (steepestAll / tilt))
@@ -139,7 +141,8 @@ followSwept space table region phase (Photon place velocity) gather = start
                 let -- Where the path enters the gas's outer radius and where it
                     -- leaves it, if within the cell.
                     !begin = if u0 < uOuter && slope0 > 0 then min t1 (reaching path t0) else t0
-                    !final = if u1 < uOuter && slope1 < 0 then max begin (reaching path t1) else t1
+                    !leaving = if u1 < uOuter && slope1 < 0 then max begin (reaching path t1) else t1
+                    !final = ofOneScale path begin leaving
                     !cosine = cos middle
                     !sine = sin middle
                     !outward = cosine *^ e1 ^+^ sine *^ e2
@@ -153,10 +156,25 @@ followSwept space table region phase (Photon place velocity) gather = start
                     -- knowing it beforehand would make each step wait for the
                     -- one before.
                     !turn = 2 / (rate begin + rate final)
+                    -- Whether the path is above the gas all the time, or below. The
+                    -- series of the latitude is good to a few thousandths.
+                    far = abs (latitude t0) `min` abs (latitude t1) > steepest highest + 0.003 && latitude t0 * latitude t1 > 0
                     -- A last step ends with the gas; one that ends with the cell
                     -- goes on into the next.
-                    !limit = if upper < to && final >= t1 then 1 / 0 else final
-                 in samples n begin (lead * turn) final limit turn path outward onward upper middle to next state
+                    !limit = if final < leaving || upper < to && final >= t1 then 1 / 0 else final
+                    !done = if final < leaving then middle + final else upper
+                 in if far
+                      then cells n lead upper to next state
+                      else samples n begin (lead * turn) final limit turn path outward onward done middle to next state
+
+    -- The part of a cell in which the radius does not change so much that one
+    -- length of step would be wrong: by a factor of eight.
+    ofOneScale path begin end'
+      | min u0 u1 * 8 < max u0 u1 && end' - begin > 1e-9 = ofOneScale path begin (0.5 * (begin + end'))
+      | otherwise = end'
+      where
+        u0 = expansionValue path begin
+        u1 = expansionValue path end'
 
     -- The curve is concave there, so that Newton's steps never pass the place.
     reaching path t = step (step (step t))

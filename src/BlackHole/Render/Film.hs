@@ -22,8 +22,11 @@ import BlackHole.Render.PixelShape
 import BlackHole.Render.Workers (Workers)
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
+import BlackHole.Trace.Estimate
 import BlackHole.Trace.Pixel
+import Control.Monad (when)
 import Control.Monad.ST (ST)
+import Data.Foldable (for_)
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as Vector
 import Data.Vector.Storable.Mutable (MVector)
@@ -45,32 +48,97 @@ exposeFilm workers progress scene =
 exposeRows :: Workers -> (Int -> IO ()) -> Scene -> (Int, Int) -> IO (Maybe Film)
 exposeRows workers progress scene (first, rows)
   | first < 0 || first > height - rows = pure Nothing
-  | otherwise = case (,) <$> pixelShape width rows 3 <*> tracer scene of
+  | otherwise = case (,,) <$> pixelShape width rows 3 <*> pixelShape width haloRows sumCount <*> tracer scene of
     Nothing -> pure Nothing
-    Just (shape, traced) ->
-      Just <$> generateRows workers progress shape (traceRow traced width . (first +))
+    Just (shape, haloShape, traced)
+      | sceneNoise scene > 0 -> do
+        sums <- generateRows workers (progress . (`quot` 2)) haloShape (sumRow traced width . (haloFirst +))
+        Just <$> generateRows workers (progress . quot' . (rows +)) shape (refineRow traced width haloFirst sums . (first +))
+      | otherwise -> Just <$> generateRows workers progress shape (traceRow traced width . (first +))
   where
     Picture width height = scenePicture scene
+    quot' n = (n + 1) `quot` 2
+    -- Whether a pixel needs more samples is for its neighbours to say, too.
+    haloFirst = max 0 (first - 1)
+    haloRows = min height (first + rows + 1) - haloFirst
 
 -- | Trace one row into its part of the film.
 traceRow :: Tracer -> Int -> Int -> MVector s Float -> ST s ()
-traceRow traced !width !row pixels = go 0
+traceRow traced !width !row pixels =
+  forThrees width (firstSamples traced width row) $ \column sums ->
+    writeRadiance pixels column (estimatedRadiance sums)
+
+-- | The first samples of three pixels from a column on; those beyond the width
+-- are not traced.
+firstSamples :: Tracer -> Int -> Int -> Int -> (Estimate, Estimate, Estimate)
+firstSamples traced width row column
+  | column + 3 <= width = addSamplesToThree traced 0 count noSamples noSamples noSamples column row
+  | otherwise = (one column, one (column + 1), one (column + 2))
   where
-    go !column
-      | column + 3 <= width = do
-        let (p0, p1, p2) = threePixels traced column row
-        write column p0
-        write (column + 1) p1
-        write (column + 2) p2
-        go (column + 3)
-      | column < width = do
-        write column (pixelRadiance traced column row)
-        go (column + 1)
-      | otherwise = pure ()
-    write column (Radiance r g b) = do
-      MVector.unsafeWrite pixels (3 * column) (realToFrac r)
-      MVector.unsafeWrite pixels (3 * column + 1) (realToFrac g)
-      MVector.unsafeWrite pixels (3 * column + 2) (realToFrac b)
+    count = sceneSamples (tracedScene traced)
+    one c
+      | c < width = addSamples traced 0 count noSamples c row
+      | otherwise = noSamples
+{-# INLINE firstSamples #-}
+
+-- | Do something for every pixel of a row, with its estimate, three by three.
+forThrees :: Int -> (Int -> (Estimate, Estimate, Estimate)) -> (Int -> Estimate -> ST s ()) -> ST s ()
+forThrees !width estimates act = go 0
+  where
+    go !column = when (column < width) $ do
+      let (e0, e1, e2) = estimates column
+      act column e0
+      when (column + 1 < width) $ act (column + 1) e1
+      when (column + 2 < width) $ act (column + 2) e2
+      go (column + 3)
+{-# INLINE forThrees #-}
+
+writeRadiance :: MVector s Float -> Int -> Radiance -> ST s ()
+writeRadiance pixels column (Radiance r g b) = do
+  MVector.unsafeWrite pixels (3 * column) (realToFrac r)
+  MVector.unsafeWrite pixels (3 * column + 1) (realToFrac g)
+  MVector.unsafeWrite pixels (3 * column + 2) (realToFrac b)
+{-# INLINE writeRadiance #-}
+
+-- | Keep the sums of the first samples of one row.
+sumRow :: Tracer -> Int -> Int -> MVector s Float -> ST s ()
+sumRow traced !width !row sums =
+  forThrees width (firstSamples traced width row) $ \column (Estimate _ (Radiance r g b) (Radiance r' g' b') weight seen square) ->
+    for_ (zip [0 ..] [r, g, b, r', g', b', weight, seen, square]) $ \(k, v) ->
+      MVector.unsafeWrite sums (sumCount * column + k) (realToFrac v)
+
+-- | Numbers of an estimate without its count, which is the same everywhere.
+sumCount :: Int
+sumCount = 9
+
+-- | Finish one row: more samples for pixels that are uncertain or have uncertain
+-- neighbours, twice as many each time, until they are certain or have the most.
+refineRow :: Tracer -> Int -> Int -> PixelArray Float -> Int -> MVector s Float -> ST s ()
+refineRow traced !width !sumsFirst sums !row pixels = for_ [0 .. width - 1] $ \column ->
+  writeRadiance pixels column . estimatedRadiance $
+    let here = estimateAt column row
+     in if or [estimatedError (estimateAt c r) > target | r <- [row - 1 .. row + 1], c <- [column - 1 .. column + 1]]
+          then refined column (sceneSamples scene) here
+          else here
+  where
+    scene = tracedScene traced
+    target = sceneNoise scene
+    most = mostSamples scene
+    Picture _ height = scenePicture scene
+    refined column count estimate
+      | count >= most = estimate
+      | estimatedError more > target = refined column count' more
+      | otherwise = more
+      where
+        count' = min most (max (count + 4) (2 * count))
+        more = addSamples traced count count' estimate column row
+    estimateAt c r
+      | c < 0 || r < 0 || c >= width || r >= height = noSamples
+      | otherwise = case pixelChannels sums c (r - sumsFirst) of
+        Just v ->
+          let at k = realToFrac (Vector.unsafeIndex v k)
+           in Estimate (sceneSamples scene) (Radiance (at 0) (at 1) (at 2)) (Radiance (at 3) (at 4) (at 5)) (at 6) (at 7) (at 8)
+        Nothing -> noSamples
 
 -- | What an 8-bit sRGB display is told: exposure, tone map, coding and dither.
 developFilm :: Workers -> Exposure -> ToneMap -> Dither -> Film -> IO (PixelArray Word8)

@@ -74,6 +74,9 @@ data DiskColour
   | -- | A black body with the temperature profile of a thin disk; the field is
     -- the temperature in kelvin at the profile's peak.
     BlackBody !Double
+  | -- | The bolometric intensity of that profile, without colour: what all
+    -- wavelengths together carry, as in Luminet's picture of 1979.
+    Bolometric
   deriving (Eq, Show)
 
 -- | The gas of the report's author.

@@ -3,7 +3,8 @@ module BlackHole.Scene.Preset
   ( presets,
     presetNames,
     findPreset,
-    describePreset,
+    Preset (..),
+    describedPresets,
     defaultScene,
     reportScene,
   )
@@ -16,6 +17,7 @@ import BlackHole.Physics.Observer (Observer (..))
 import BlackHole.Physics.Spacetime (Spacetime (..))
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Disk
+import BlackHole.Scene.Filter (Filter (..))
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Shifts (Shifts (..))
 import BlackHole.Scene.Sky
@@ -23,7 +25,28 @@ import BlackHole.Vector.XYZ (XYZ (..))
 
 -- | Every preset with its name, the default first.
 presets :: [(String, Scene)]
-presets = [("default", defaultScene), ("report", reportScene)]
+presets = [(presetName p, presetScene p) | p <- describedPresets]
+
+-- | A preset with what it shows, in one line.
+data Preset = Preset
+  { presetName :: !String,
+    presetShows :: !String,
+    presetScene :: !Scene
+  }
+
+-- | All of them, the default first.
+describedPresets :: [Preset]
+describedPresets =
+  [ Preset "default" "a wide disk of glowing gas, seen from a little above its plane by somebody at rest" defaultScene,
+    Preset "report" "the picture of the design report's author, with its camera, gas, stars and leapfrog" reportScene,
+    Preset "interstellar" "the look of the film of 2014: a thin bright disk without Doppler shift or redshift" interstellarScene,
+    Preset "edge-on" "the disk from within a degree of its plane" (seenFrom 89 defaultScene),
+    Preset "face-on" "the disk from above its pole" (seenFrom 4 defaultScene),
+    Preset "luminet" "Luminet's picture of 1979: a thin opaque disk in the light of all wavelengths, without colour" luminetScene,
+    Preset "lens-only" "no gas, only the bent sky" defaultScene {sceneDisk = Nothing},
+    Preset "photon-ring" "a close look at the rings of light that has gone round the hole" photonRingScene,
+    Preset "falling" "the view of somebody who falls in and has come to r = 2.6" fallingScene
+  ]
 
 -- | The names, the default first.
 presetNames :: [String]
@@ -33,12 +56,69 @@ presetNames = map fst presets
 findPreset :: String -> Maybe Scene
 findPreset name = lookup name presets
 
--- | What a preset is, in one line; empty for a name that there is not.
-describePreset :: String -> String
-describePreset name = case name of
-  "default" -> "a wide disk of glowing gas, seen from a little above its plane by somebody at rest"
-  "report" -> "the picture of the design report: its camera, gas, stars and steps"
-  _ -> ""
+-- | The default's distance, from another angle to the disk's axis.
+seenFrom :: Double -> Scene -> Scene
+seenFrom inclination scene =
+  scene
+    { sceneCamera =
+        (sceneCamera scene)
+          { cameraPose = Around 30 (Degrees inclination) (Degrees 90),
+            cameraRoll = Degrees 0,
+            cameraFieldOfView = Degrees 64
+          }
+    }
+
+interstellarScene :: Scene
+interstellarScene =
+  defaultScene
+    { sceneCamera = Camera (Around 34 (Degrees 86) (Degrees 90)) (Degrees (-6)) (Degrees 46),
+      sceneDisk =
+        Just
+          defaultDisk
+            { diskThickness = 0.14,
+              diskOpacity = 1.6,
+              diskBrightness = 1.1,
+              diskArms = 0,
+              diskTurbulence = 2.6,
+              diskTurbulenceFrequency = 20,
+              diskColour = BlackBody 5200
+            },
+      sceneShifts = Shifts False False,
+      sceneBloom = 0.03
+    }
+
+luminetScene :: Scene
+luminetScene =
+  defaultScene
+    { sceneCamera = Camera (Around 30 (Degrees 80) (Degrees 90)) (Degrees 0) (Degrees 62),
+      sceneDisk =
+        Just
+          defaultDisk
+            { diskOuterRadius = 20,
+              diskFade = 0.9,
+              diskThickness = 0.05,
+              diskOpacity = 40,
+              diskBrightness = 1,
+              diskArms = 0,
+              diskTurbulence = 0,
+              diskColour = Bolometric
+            },
+      sceneSky = SkyNone
+    }
+
+photonRingScene :: Scene
+photonRingScene =
+  defaultScene
+    { sceneCamera = Camera (LookAt (XYZ 0 5.2 29.5) (XYZ 2.1 1.75 0)) (Degrees 0) (Degrees 2.4)
+    }
+
+fallingScene :: Scene
+fallingScene =
+  defaultScene
+    { sceneCamera = Camera (LookAt (XYZ 0 0.9 2.4392622) (XYZ 0 0.2 0)) (Degrees 10) (Degrees 110),
+      sceneObserver = Falling,
+      sceneExposure = Exposure (-3)
+    }
 
 -- | A wide disk seen from a little above its plane by somebody at rest.
 defaultScene :: Scene
@@ -60,6 +140,9 @@ defaultScene =
       sceneShifts = Shifts True True,
       sceneDebugTextures = False,
       sceneSamples = 4,
+      sceneNoise = 0.02,
+      sceneMostSamples = 64,
+      sceneFilter = Gaussian,
       sceneExposure = Exposure 0,
       sceneToneMap = ToneFilm,
       sceneDither = BlueNoise,
@@ -85,6 +168,8 @@ reportScene =
       sceneDisk = Just reportDisk,
       sceneSky = SkyNoise reportStars,
       sceneSamples = 1,
+      sceneNoise = 0,
+      sceneFilter = Box,
       sceneExposure = Exposure (-1.2),
       sceneToneMap = ToneNone,
       sceneDither = NoDither

@@ -35,8 +35,8 @@ data Request = Request
 resolveRequest :: Request -> Either [String] Scene
 resolveRequest (Request preset file options) = case traverse (parseSceneFile . snd) file of
   Left (YamlFault line text) -> Left [fileName ++ ":" ++ show line ++ ": " ++ text]
-  Right parsed -> case findPreset presetName of
-    Nothing -> Left [renderProblem (Problem "--preset" presetName unknownPreset)]
+  Right parsed -> case findPreset chosenName of
+    Nothing -> Left [renderProblem (Problem "--preset" chosenName unknownPreset)]
     Just _ | _ : _ <- clashes -> Left (map renderProblem clashes)
     Just base
       | null problems -> Right scene
@@ -52,7 +52,7 @@ resolveRequest (Request preset file options) = case traverse (parseSceneFile . s
             ++ map faultText faults
     where
       (SceneFile filePresetName settings, malformed) = fromMaybe (SceneFile "default" [], []) parsed
-      presetName = fromMaybe filePresetName preset
+      chosenName = fromMaybe filePresetName preset
       lineOf path = listToMaybe [line | PlacedSetting line s <- settings, settingPath s == path]
       -- A fault is laid to whoever set the field.
       faultText (Fault path value range) = case lineOf path of
@@ -67,7 +67,7 @@ resolveRequest (Request preset file options) = case traverse (parseSceneFile . s
       settingPath s ++ ": " ++ showValue (settingValue s) ++ " has no effect"
         ++ maybe " in this scene" (\c -> " beside " ++ settingPath c ++ ": " ++ showValue (settingValue c)) culprit
     unknownPreset =
-      "a preset" ++ suggestion (fromMaybe "" preset) presetNames ++ "; there are: " ++ intercalate ", " presetNames
+      "a preset" ++ suggestion (fromMaybe "" preset) presetNames ++ "; there are: " ++ intercalate ", " chosenNames
     given = map settingPath options
     clashes =
       [ Problem "--camera" "together with --distance, --inclination or --azimuth" "one way to place the camera; choose either"

@@ -5,6 +5,7 @@ module BlackHole.Scene.Scene
     integratorName,
     sceneLeapfrog,
     sceneRegion,
+    mostSamples,
   )
 where
 
@@ -16,6 +17,7 @@ import BlackHole.Physics.Observer (Observer)
 import BlackHole.Physics.Spacetime (Spacetime)
 import BlackHole.Scene.Camera (Camera, Picture)
 import BlackHole.Scene.Disk
+import BlackHole.Scene.Filter (Filter)
 import BlackHole.Scene.Shifts (Shifts)
 import BlackHole.Scene.Sky (Sky)
 import Data.Word (Word64)
@@ -38,6 +40,12 @@ data Scene = Scene
     sceneDebugTextures :: !Bool,
     -- | Rays per pixel.
     sceneSamples :: !Int,
+    -- | The uncertainty of a pixel, as a part of white, beyond which it gets more
+    -- rays than that; 0 for never.
+    sceneNoise :: !Double,
+    -- | The most rays that a pixel gets then.
+    sceneMostSamples :: !Int,
+    sceneFilter :: !Filter,
     sceneExposure :: !Exposure,
     sceneToneMap :: !ToneMap,
     -- | Whether codes of 8 bits are dithered.
@@ -82,3 +90,9 @@ sceneRegion scene = maybe emptyRegion (diskRegion fineness) (sceneDisk scene)
       Tabulated -> Swift
       Exact -> Fine
       Leapfrogging -> Fine
+
+-- | The most rays that any pixel can get.
+mostSamples :: Scene -> Int
+mostSamples scene
+  | sceneNoise scene > 0 = max (sceneSamples scene) (sceneMostSamples scene)
+  | otherwise = sceneSamples scene

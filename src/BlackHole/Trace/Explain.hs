@@ -24,6 +24,7 @@ import BlackHole.Scene.Scene
 import BlackHole.Trace.Gas
 import BlackHole.Trace.Pixel
 import BlackHole.Trace.PlaneCrossing
+import BlackHole.Trace.Sampling (Sample (..))
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ)
 import Data.Word (Word8)
@@ -106,7 +107,7 @@ explainPixel scene column row
         { explainedPixel = (column, row),
           explainedMiddle = sighting scene traced (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)),
           explainedSamples =
-            [ sighting scene traced (samplePoint scene column row index)
+            [ sighting scene traced (samplePlace (samplePoint scene column row index))
               | index <- [0 .. sceneSamples scene - 1]
             ],
           explainedRadiance = radiance,

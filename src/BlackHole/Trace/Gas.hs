@@ -15,7 +15,8 @@ module BlackHole.Trace.Gas
   )
 where
 
-import BlackHole.Light.BlackBodyTable (Brightness (..), blackBodyRadiance)
+import BlackHole.Light.BlackBodyTable (blackBodyRadiance)
+import qualified BlackHole.Light.BlackBodyTable as BlackBodyTable (Brightness (..))
 import BlackHole.Light.Display (decodeSrgb)
 import BlackHole.Light.Radiance
 import BlackHole.Numeric.Exponential (exponential)
@@ -94,14 +95,17 @@ gas seed shifts disk eye pixel samples =
       gasShifts = shifts,
       gasGlow = case diskColour disk of
         HueRamp -> ByRadius (diskBrightness disk)
-        BlackBody peak ->
-          let blackBody = blackBodyRadiance Bolometric peak
-              glow t = scaleRadiance (diskBrightness disk) (blackBody (t * peak))
-           in ByTemperature
-                (tabulate 1 2048 (regionInnerRadius (diskRegion Fine disk)) (diskOuterRadius disk) (pure . relativeTemperature))
-                (tabulate 3 4096 0 hottest (\t -> let Radiance r g b = glow t in [r, g, b]))
-                glow
+        BlackBody peak -> let blackBody = blackBodyRadiance BlackBodyTable.Bolometric peak in byTemperature (\t -> blackBody (t * peak))
+        Bolometric -> byTemperature (\t -> grey (t * t * (t * t)))
     }
+  where
+    byTemperature light =
+      ByTemperature
+        (tabulate 1 2048 (regionInnerRadius (diskRegion Fine disk)) (diskOuterRadius disk) (pure . relativeTemperature))
+        (tabulate 3 4096 0 hottest (\t -> let Radiance r g b = glow t in [r, g, b]))
+        glow
+      where
+        glow t = scaleRadiance (diskBrightness disk) (light t)
 
 -- | Relative temperatures that are tabulated. Only somebody who falls or orbits
 -- close to the hole sees higher ones.

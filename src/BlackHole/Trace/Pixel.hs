@@ -8,11 +8,13 @@ module BlackHole.Trace.Pixel
   ( Tracer,
     tracer,
     pixelRadiance,
-    threePixels,
+    addSamples,
+    addSamplesToThree,
     sightRadiance,
     samplePoint,
 
     -- * Its parts
+    tracedScene,
     tracedDirection,
     tracedSight,
     tracedGas,
@@ -22,12 +24,13 @@ module BlackHole.Trace.Pixel
   )
 where
 
+import BlackHole.Light.Display (Exposure (..))
 import BlackHole.Light.Radiance
-import BlackHole.Noise.SipHash
 import BlackHole.Numeric.Floor (turnFraction)
 import BlackHole.Physics.ExactPath
 import BlackHole.Physics.Fate
 import BlackHole.Physics.Leapfrog
+import BlackHole.Physics.LensBeam (lensChange)
 import BlackHole.Physics.LensTable
 import BlackHole.Physics.LightPath
 import BlackHole.Physics.Observer
@@ -38,12 +41,13 @@ import BlackHole.Scene.Disk (Disk)
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Shifts (skyShift)
 import BlackHole.Trace.Beam
+import BlackHole.Trace.Estimate
 import BlackHole.Trace.Gas
+import BlackHole.Trace.Sampling
 import BlackHole.Trace.Sky
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ)
 import qualified BlackHole.Vector.XYZ as XYZ
-import Data.Bits (shiftR, (.&.))
 
 -- | A scene made ready: what all pixels share, worked out once.
 data Tracer = Tracer
@@ -51,6 +55,8 @@ data Tracer = Tracer
     tracerScene :: !Scene,
     -- | The light path that arrives from a direction.
     tracerPath :: !(XYZ -> Maybe SightLine),
+    -- | The exposure's factor.
+    tracerGain :: !Double,
     -- | The part of g that counts for the sky, by the observer's frequency.
     tracerSkyShift :: !(Double -> Double),
     tracerRegion :: !Region,
@@ -75,6 +81,7 @@ tracer scene = do
     Tracer
       { tracerSight = sightDirection (sceneCamera scene) (scenePicture scene) frame,
         tracerScene = scene,
+        tracerGain = 2 ** stops,
         tracerPath = sightLine (sceneSpacetime scene) (sceneObserver scene) place,
         tracerSkyShift = case sceneSpacetime scene of
           Flat -> const 1
@@ -85,6 +92,7 @@ tracer scene = do
         tracerSky = sky
       }
   where
+    Exposure stops = sceneExposure scene
     place = posePosition (cameraPose (sceneCamera scene))
     seed = sceneSeed scene
     sky
@@ -136,24 +144,37 @@ stepPhase (XY x y) = 0.5 + turnFraction (0.7548776662466927 * x + 0.569840290998
 -- | Mean radiance of a pixel (column and row from the top left, from 0) over
 -- its samples. Depends on the scene and the pixel alone.
 pixelRadiance :: Tracer -> Int -> Int -> Radiance
-pixelRadiance traced column row = meanOver traced $ \index ->
-  sightRadiance traced (samplePoint (tracerScene traced) column row index)
+pixelRadiance traced column row =
+  estimatedRadiance (addSamples traced 0 (sceneSamples (tracerScene traced)) noSamples column row)
+
+-- | @addSamples traced from to estimate column row@: the estimate with the
+-- pixel's samples from one number up to another, which is left out.
+addSamples :: Tracer -> Int -> Int -> Estimate -> Int -> Int -> Estimate
+addSamples traced from to estimate column row = go from estimate
+  where
+    go !index !sums
+      | index < to =
+        let Sample place weight = samplePoint (tracerScene traced) column row index
+         in go (index + 1) (addSample (tracerGain traced) weight (sightRadiance traced place) sums)
+      | otherwise = sums
 
 -- | The same of three pixels in a row, from a column on.
-threePixels :: Tracer -> Int -> Int -> (Radiance, Radiance, Radiance)
-threePixels traced column row = case sceneIntegrator (tracerScene traced) of
-  Leapfrogging -> go 0 black black black
-  _ -> (single column, single (column + 1), single (column + 2))
+addSamplesToThree :: Tracer -> Int -> Int -> Estimate -> Estimate -> Estimate -> Int -> Int -> (Estimate, Estimate, Estimate)
+addSamplesToThree traced from to estimate0 estimate1 estimate2 column row = case sceneIntegrator scene of
+  Leapfrogging -> go from estimate0 estimate1 estimate2
+  _ -> (single estimate0 column, single estimate1 (column + 1), single estimate2 (column + 2))
   where
-    single c = pixelRadiance traced c row
-    !count = sceneSamples (tracerScene traced)
-    point index c = samplePoint (tracerScene traced) c row index
-    go !index !total0 !total1 !total2
-      | index < count =
-        let (r0, r1, r2) = threeSights traced (point index column) (point index (column + 1)) (point index (column + 2))
-         in go (index + 1) (total0 <+> r0) (total1 <+> r1) (total2 <+> r2)
-      | otherwise = (mean total0, mean total1, mean total2)
-    mean = scaleRadiance (1 / fromIntegral count)
+    scene = tracerScene traced
+    single estimate c = addSamples traced from to estimate c row
+    go !index !sums0 !sums1 !sums2
+      | index < to =
+        let Sample p0 w0 = samplePoint scene column row index
+            Sample p1 w1 = samplePoint scene (column + 1) row index
+            Sample p2 w2 = samplePoint scene (column + 2) row index
+            (r0, r1, r2) = threeSights traced p0 p1 p2
+            add = addSample (tracerGain traced)
+         in go (index + 1) (add w0 r0 sums0) (add w1 r1 sums1) (add w2 r2 sums2)
+      | otherwise = (sums0, sums1, sums2)
 
 -- | 'sightRadiance' of three points, by three leapfrogs side by side.
 threeSights :: Tracer -> XY -> XY -> XY -> (Radiance, Radiance, Radiance)
@@ -174,15 +195,6 @@ threeSights traced p0 p1 p2 = case (tracedSight traced p0, tracedSight traced p1
   where
     scene = tracerScene traced
 
-meanOver :: Tracer -> (Int -> Radiance) -> Radiance
-meanOver traced radianceOf = go 0 black
-  where
-    !count = sceneSamples (tracerScene traced)
-    go !index !total
-      | index < count = go (index + 1) (total <+> radianceOf index)
-      | otherwise = scaleRadiance (1 / fromIntegral count) total
-{-# INLINE meanOver #-}
-
 -- | Radiance that arrives at one point of the picture (pixels from the top
 -- left corner).
 sightRadiance :: Tracer -> XY -> Radiance
@@ -195,6 +207,10 @@ seen :: Tracer -> XY -> SightLine -> Followed Gathered -> Radiance
 seen traced point sight (Followed fate (Gathered light transmittance) _) =
   light <+> scaleRadiance transmittance (tracedSky traced point sight fate)
 {-# INLINE seen #-}
+
+-- | The scene itself.
+tracedScene :: Tracer -> Scene
+tracedScene = tracerScene
 
 -- | The direction of sight through a point of the picture.
 tracedDirection :: Tracer -> XY -> XYZ
@@ -226,37 +242,29 @@ tracedSky traced point sight fate = case fate of
     shift = tracerSkyShift traced (sightFrequency sight)
 
 -- | The beam behind a point of the picture, past all gas; 'Nothing' where no
--- light arrives from the sky. As much work as three or four empty pixels.
+-- light arrives from the sky. From the table of paths where the scene goes by
+-- it, else as much work as three or four empty pixels.
 tracedBeam :: Tracer -> XY -> Maybe Beam
-tracedBeam traced = beamByDifferences escape
+tracedBeam traced point@(XY x y) = do
+  sight <- tracedSight traced point
+  direction <- escape point
+  let change there = do
+        neighbour <- tracedSight traced there
+        (1 / step) `scaled` lensChange (tracerTable traced) (sightPhoton sight) direction (sightPhoton neighbour)
+  case (sceneIntegrator scene, sceneSpacetime scene, change (XY (x + step) y), change (XY x (y + step))) of
+    (Tabulated, Schwarzschild, Just a, Just b) -> Just (Beam direction a b)
+    _ -> beamByDifferences escape point
   where
+    scene = tracerScene traced
+    step = 1e-3
+    scaled k = fmap (k XYZ.*^)
     clear = traced {tracerRegion = emptyRegion}
-    escape point = do
-      sight <- tracedSight traced point
-      case followSight clear point sight (\() _ -> Onward ()) () of
+    escape place = do
+      sight <- tracedSight traced place
+      case followSight clear place sight (\() _ -> Onward ()) () of
         Followed (Escaped direction) _ _ -> Just direction
         _ -> Nothing
 
--- | Where in its pixel a sample is taken. A single one sits in the middle;
--- several are jittered within the cells of a grid, hashed from the seed, the
--- pixel and the sample's index alone.
-samplePoint :: Scene -> Int -> Int -> Int -> XY
-samplePoint scene column row index
-  | count == 1 = XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)
-  | otherwise = XY (along column i columns jitterX) (along row j rows jitterY)
-  where
-    count = sceneSamples scene
-    -- The grid closest to square whose cells are as many as the samples.
-    columns = last [n | n <- [1 .. count], n * n <= count, count `rem` n == 0]
-    rows = count `quot` columns
-    (j, i) = index `quotRem` columns
-    along pixel cell cells jitter =
-      fromIntegral pixel + (fromIntegral cell + jitter) / fromIntegral cells
-    hash =
-      sipHash3
-        (SipKey (sceneSeed scene) 0x73616d706c65)
-        (fromIntegral column)
-        (fromIntegral row)
-        (fromIntegral index)
-    jitterX = fromIntegral (hash `shiftR` 32) / 4294967296
-    jitterY = fromIntegral (hash .&. 0xffffffff) / 4294967296 :: Double
+-- | One of a pixel's samples, by column, row and number.
+samplePoint :: Scene -> Int -> Int -> Int -> Sample
+samplePoint scene = sampleOf (sceneFilter scene) (sceneSeed scene) (mostSamples scene)

@@ -5,10 +5,9 @@ import BlackHole.Animation.Digest
 import BlackHole.Animation.FrameName
 import BlackHole.Animation.Ledger
 import BlackHole.Animation.Queue
-import Control.Concurrent (forkIO, killThread, newEmptyMVar, putMVar, takeMVar, threadDelay)
-import Control.Concurrent.Async (concurrently)
+import Control.Concurrent (newEmptyMVar, putMVar, takeMVar, threadDelay)
+import Control.Concurrent.Async (async, cancel, concurrently)
 import Control.Exception (ErrorCall (..), throwIO)
-import Control.Monad (void)
 import qualified Data.ByteString.Lazy.Char8 as Lazy
 import Data.IORef
 import Data.List (sort)
@@ -69,9 +68,9 @@ spec = do
     ledger <- ledgerOf folder "one"
     begun <- newEmptyMVar
     let endless _ = putMVar begun () >> threadDelay 100000000 >> pure (Left "late")
-    thread <- forkIO (void (working ledger endless "v1" [0]))
+    thread <- async (working ledger endless "v1" [0])
     takeMVar begun
-    killThread thread
+    cancel thread
     other <- ledgerOf folder "two"
     takeClaim (ledgerClaims other) (frameLabel other 0) `shouldReturn` Claimed Nothing
   it "leaves the frames, their records and the lock, and no parts" . inFolder $ \folder -> do
@@ -83,6 +82,20 @@ spec = do
     lists <- readFrameLists folder
     [(framePattern name, length frames) | (name, frames) <- lists] `shouldBe` [(folder </> "%d.png", 3)]
     map snd lists `shouldBe` [[(n, scene "v1" n) | n <- [0 .. 2]]]
+  it "clears away the claim of somebody who was killed when his frame was finished" . inFolder $ \folder -> do
+    ledger <- ledgerOf folder "one"
+    _ <- working ledger good "v1" [0, 1]
+    _ <- takeClaim (ledgerClaims ledger) (frameLabel ledger 0)
+    writeFile (folder </> ".blackhole" </> "0.png.one.4711.part") "half"
+    (outcomes, _) <- working ledger good "v1" [0, 1]
+    map kind outcomes `shouldBe` "dd"
+    fmap sort (listDirectory (folder </> ".blackhole")) `shouldReturn` ["0.png.done", "1.png.done", "lock"]
+  it "clears away what somebody has left who was killed while he wrote the list" . inFolder $ \folder -> do
+    ledger <- ledgerOf folder "one"
+    _ <- takeClaim (ledgerClaims ledger) "%d.png.film"
+    writeFile (folder </> ".blackhole" </> "%d.png.film.one.4711.part") "half"
+    writeFrameList ledger [(0, scene "v1" 0)]
+    fmap sort (listDirectory (folder </> ".blackhole")) `shouldReturn` ["%d.png.film", "lock"]
   it "removes the part that a dead holder has left" . inFolder $ \folder -> do
     dead <- ledgerOf folder "dead"
     one <- ledgerOf folder "one"

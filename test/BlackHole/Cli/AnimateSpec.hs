@@ -73,7 +73,7 @@ spec = do
     it "leaves the film alone otherwise" $ adjusted [] `shouldBe` Just (48, 24)
   where
     inFolder = withSystemTempDirectory "blackhole-spec"
-    writeFilm folder text = writeFile (folder </> "film.yaml") (unlines (["image: {width: 16}", "sampling: {samples: 1}"] ++ text))
+    writeFilm folder text = writeFile (folder </> "film.yaml") (unlines (["image: {width: 16}", "sampling: {samples: 1}", "physics: {gravity: false}", "disk: {present: false}", "sky: {kind: grid}"] ++ text))
     headOr = foldr const
     fails code arguments text =
       it (unwords ("animate" : arguments ++ text) ++ " exits with " ++ show code ++ " and writes nothing") . inFolder $ \folder -> do

@@ -21,8 +21,8 @@ spec = do
     Bytes.readFile (folder </> "joined.png") `shouldReturn` whole
   it "does so in every format, and with bloom" . inFolder $ \folder -> do
     let same arguments coding extension = do
-          run (small ++ arguments ++ coding ++ ["-o", folder </> "whole" ++ extension]) `shouldReturn` ExitSuccess
-          mapM_ (\i -> tile folder (small ++ arguments) i 2 `shouldReturn` ExitSuccess) [1, 2]
+          run (plain ++ arguments ++ coding ++ ["-o", folder </> "whole" ++ extension]) `shouldReturn` ExitSuccess
+          mapM_ (\i -> tile folder (plain ++ arguments) i 2 `shouldReturn` ExitSuccess) [1, 2]
           run (["join", folder </> "1.tile", folder </> "2.tile", "-o", folder </> "joined" ++ extension] ++ coding) `shouldReturn` ExitSuccess
           whole <- Bytes.readFile (folder </> "whole" ++ extension)
           Bytes.readFile (folder </> "joined" ++ extension) `shouldReturn` whole
@@ -31,13 +31,13 @@ spec = do
     same [] ["--bits", "32"] ".exr"
     same [] ["--quality", "80"] ".jpg"
   it "names tiles that are missing, of another scene, or damaged" . inFolder $ \folder -> do
-    mapM_ (\i -> tile folder small i 3) [1 .. 3]
+    mapM_ (\i -> tile folder plain i 3) [1 .. 3]
     let paths = [folder </> (show i ++ ".tile") | i <- [1 .. 3 :: Int]]
         complaints = fmap (fromLeft []) . openTiles
     complaints (drop 1 paths) `shouldReturn` ["tile 1/3 is missing"]
-    _ <- tile folder (small ++ ["--inclination", "70"]) 2 3
+    _ <- tile folder (plain ++ ["--inclination", "70"]) 2 3
     complaints paths `shouldReturn` [folder </> "2.tile belongs to another picture than " ++ folder </> "1.tile: inclination: 70 instead of inclination: 82"]
-    _ <- tile folder small 2 3
+    _ <- tile folder plain 2 3
     bytes <- Bytes.readFile (folder </> "2.tile")
     let (start, end) = Bytes.splitAt (Bytes.length bytes - 1000) bytes
     Bytes.writeFile (folder </> "2.tile") (start <> Bytes.map (+ 1) (Bytes.take 1 end) <> Bytes.drop 1 end)
@@ -48,10 +48,11 @@ spec = do
     run ("join" : "-o" : (folder </> "joined.png") : paths) `shouldReturn` ExitFailure 3
     doesFileExist (folder </> "joined.png") `shouldReturn` False
   it "wants tile files to be called so, and no more tiles than rows" . inFolder $ \folder -> do
-    run (small ++ ["--tile", "1/2", "-o", folder </> "a.png"]) `shouldReturn` ExitFailure 2
-    run (small ++ ["--tile", "3/2", "-o", folder </> "a.tile"]) `shouldReturn` ExitFailure 2
-    tile folder small 1 28 `shouldReturn` ExitFailure 2
+    run (plain ++ ["--tile", "1/2", "-o", folder </> "a.png"]) `shouldReturn` ExitFailure 2
+    run (plain ++ ["--tile", "3/2", "-o", folder </> "a.tile"]) `shouldReturn` ExitFailure 2
+    tile folder plain 1 19 `shouldReturn` ExitFailure 2
   where
     inFolder = withSystemTempDirectory "blackhole-spec"
-    small = ["render", "--width", "48", "--samples", "1"]
+    small = ["render", "--width", "24", "--samples", "1"]
+    plain = ["render", "--width", "32", "--samples", "1", "--no-gravity", "--no-disk", "--sky", "grid"]
     tile folder arguments i n = run (arguments ++ ["--tile", show (i :: Int) ++ "/" ++ show (n :: Int), "-o", folder </> (show i ++ ".tile")])

@@ -2,12 +2,14 @@ module BlackHole.Render.FilmSpec (spec) where
 
 import BlackHole.Light.Display
 import BlackHole.Light.Dither (Dither (..))
+import BlackHole.Physics.Angle (Degrees (..))
 import BlackHole.Render.Film
 import BlackHole.Render.PixelArray (toPixelVector)
 import BlackHole.Render.Workers
-import BlackHole.Scene.Camera (Picture (..))
+import BlackHole.Scene.Camera (Camera (..), Picture (..))
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene
+import BlackHole.Scene.Sky (Sky (..))
 import qualified Data.Vector.Storable as Vector
 import Data.Word (Word8)
 import Test.Hspec
@@ -29,12 +31,37 @@ spec = do
     whole <- exposeFilm oneWorker (const (pure ())) small
     bands <- mapM (exposeRows oneWorker (const (pure ())) small) [(0, 5), (5, 1), (6, 21)]
     fmap (Vector.concat . map toPixelVector) (sequence bands) `shouldBe` fmap toPixelVector whole
+  describe "adaptive sampling" $ do
+    it "has the same light in a band as in the whole" $ do
+      whole <- exposeFilm oneWorker (const (pure ())) searching
+      bands <- mapM (exposeRows oneWorker (const (pure ())) searching) [(0, 11), (11, 1), (12, 15)]
+      fmap (Vector.concat . map toPixelVector) (sequence bands) `shouldBe` fmap toPixelVector whole
+    it "comes closer to a picture of 256 samples than as many samples spread evenly" $ do
+      -- Both take the same time here (measured).
+      reference <- exposeFilm oneWorker (const (pure ())) even' {sceneSamples = 256}
+      evenly <- exposeFilm oneWorker (const (pure ())) even' {sceneSamples = 8}
+      adaptive <- exposeFilm oneWorker (const (pure ())) searching
+      case (,,) <$> reference <*> evenly <*> adaptive of
+        Just (r, e, a) -> rmse a r `shouldSatisfy` (< 0.75 * rmse e r)
+        Nothing -> expectationFailure "no film"
   it "has no band beyond the picture" $ do
     bands <- mapM (exposeRows oneWorker (const (pure ())) small) [(-1, 5), (27, 1), (20, 8), (3, 0)]
     map (fmap toPixelVector) bands `shouldBe` [Nothing, Nothing, Nothing, Nothing]
 
 small :: Scene
 small = defaultScene {scenePicture = Picture 48 27, sceneSamples = 1}
+
+-- | The ring of light, where all is decided.
+even', searching :: Scene
+even' = defaultScene {scenePicture = Picture 48 27, sceneNoise = 0, sceneSky = SkyNone, sceneCamera = (sceneCamera defaultScene) {cameraFieldOfView = Degrees 16}}
+searching = even' {sceneSamples = 4, sceneNoise = 0.02, sceneMostSamples = 64}
+
+-- | Of what a display shows.
+rmse :: Film -> Film -> Double
+rmse a b = sqrt (Vector.sum (Vector.zipWith difference (toPixelVector a) (toPixelVector b)) / fromIntegral (Vector.length (toPixelVector a)))
+  where
+    difference x y = realToFrac ((shown x - shown y) ^ (2 :: Int))
+    shown v = sqrt (min 1 v)
 
 developed :: Int -> IO (Maybe (Vector.Vector Word8))
 developed n = case workers n of

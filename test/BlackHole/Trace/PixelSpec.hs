@@ -54,19 +54,6 @@ spec = do
                 b = luminance (light smooth {sceneIntegrator = Leapfrogging, sceneStep = 0.02} (XY x y))
              in -- At the edge of the shadow the smallest error decides all.
                 a > 0.25 && b > 0.25 ==> closeTo 0.02 b a
-  describe "samples" $ do
-    it "a single one is the pixel's middle" $
-      samplePoint defaultScene {sceneSamples = 1} 3 4 0 `shouldBe` XY 3.5 4.5
-    prop "stay in their pixel, one in each cell of a grid" $
-      forAll ((,,) <$> elements [2, 4, 6, 9, 16] <*> choose (0, 5000) <*> choose (0, 5000)) $ \(n, column, row) ->
-        let points = [samplePoint defaultScene {sceneSamples = n} column row k | k <- [0 .. n - 1]]
-            columns = last [c | c <- [1 .. n], c * c <= n, n `rem` c == 0]
-            rows = n `quot` columns
-            cell (XY x y) = (floor ((x - fromIntegral column) * fromIntegral columns), floor ((y - fromIntegral row) * fromIntegral rows)) :: (Int, Int)
-         in map cell points === [(i, j) | j <- [0 .. rows - 1], i <- [0 .. columns - 1]]
-    prop "depend on the seed" $ \seed ->
-      seed /= 0
-        ==> samplePoint defaultScene {sceneSamples = 4} 1 1 0 =/= samplePoint defaultScene {sceneSamples = 4, sceneSeed = seed} 1 1 0
   prop "no ray of the presets has a radiance that is not finite or negative" $
     forAll ((,) <$> inRange 0 64 <*> inRange 0 36) $ \(x, y) ->
       conjoin

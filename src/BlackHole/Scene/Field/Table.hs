@@ -18,6 +18,7 @@ import BlackHole.Scene.Disk (DiskColour (..), DiskProfile (..), defaultDisk)
 import qualified BlackHole.Scene.Disk as Gas
 import BlackHole.Scene.Field.Field
 import BlackHole.Scene.Field.Kind
+import BlackHole.Scene.Filter (Filter (..), filterName)
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Shifts (Shifts (..))
 import BlackHole.Scene.Sky (PointStars (..), Sky (..), Stars (..), defaultPointStars, defaultStars)
@@ -83,7 +84,7 @@ sceneFields =
     number Disk "disk.opacity" (Quantity "an optical depth" (From 0) (UpTo 1e6) "") "Optical depth of one thickness of dense gas" (disk (part Gas.diskOpacity (\v d -> d {Gas.diskOpacity = v})))
       `withOption` ("disk-opacity", "TAU"),
     number Disk "disk.brightness" (Quantity "a radiance" (From 0) (UpTo 1e9) "") "Radiance of opaque gas where it is brightest; 1 is display white at exposure 0" (disk (part Gas.diskBrightness (\v d -> d {Gas.diskBrightness = v}))),
-    choice Disk "disk.colour" "a way to colour the gas" [(False, "hue-ramp", "yellow inside to red outside, without physics"), (True, "black-body", "by its temperature")] "How the gas shines: black-body, or hue-ramp (the report's)" colourPart,
+    choice Disk "disk.colour" "a way to colour the gas" [(RampGlow, "hue-ramp", "yellow inside to red outside, without physics"), (BlackBodyGlow, "black-body", "by its temperature"), (BolometricGlow, "bolometric", "all wavelengths together, without colour")] "How the gas shines: black-body, bolometric (the same without colour), or hue-ramp (the report's, without physics)" glowPart,
     number Disk "disk.temperature" (Quantity "a temperature" (From 500) (UpTo 1e6) "kelvin") "Temperature in kelvin of the gas where it is hottest; makes it a black body" temperaturePart
       `withOption` ("temperature", "KELVIN"),
     number Disk "disk.time" (Quantity "a time" (From (-1e9)) (UpTo 1e9) "r_s/c") "Time to which the gas has moved, in Schwarzschild radii over c" (disk (part Gas.diskTime (\v d -> d {Gas.diskTime = v})))
@@ -112,6 +113,12 @@ sceneFields =
     number Sky "sky.points.milky-way" (Quantity "a radiance" (From 0) (UpTo 1e9) "") "Radiance of the Milky Way where it is bright, 0 without" (pointStars (part pointStarsMilkyWay (\v s -> s {pointStarsMilkyWay = v}))),
     whole Sampling "sampling.samples" (1, 65536) "" "Rays per pixel" (part sceneSamples (\v s -> s {sceneSamples = v}))
       `withOption` ("samples", "N"),
+    number Sampling "sampling.noise" (Quantity "a part of white" (From 0) (UpTo 1) "") "Uncertainty of a pixel, as a part of white, beyond which it gets more rays; 0 for never" (part sceneNoise (\v s -> s {sceneNoise = v}))
+      `withOption` ("noise", "T"),
+    whole Sampling "sampling.most-samples" (1, 65536) "" "The most rays a pixel gets then" (part sceneMostSamples (\v s -> s {sceneMostSamples = v}))
+      `withOption` ("most-samples", "N"),
+    choice Sampling "sampling.filter" "a filter" filters "How the samples around a pixel make up its value: box, gaussian or mitchell" (part sceneFilter (\v s -> s {sceneFilter = v}))
+      `withOption` ("filter", "NAME"),
     seed Sampling "sampling.seed" "Seed of gas, stars and sampling, from 0 to 2^64 - 1" (part sceneSeed (\v s -> s {sceneSeed = v}))
       `withOption` ("seed", "N"),
     number Output "output.exposure" (Quantity "a number of stops" (From (-100)) (UpTo 100) "") "Brighter (+) or darker (-) by powers of two (stops)" (part (exposureStops . sceneExposure) (\v s -> s {sceneExposure = Exposure v}))
@@ -133,6 +140,11 @@ sceneFields =
         (Observer.Orbiting, Observer.observerName Observer.Orbiting, "on a circular orbit"),
         (Observer.Falling, Observer.observerName Observer.Falling, "falling in from rest at infinity"),
         (Observer.Coordinate, Observer.observerName Observer.Coordinate, "the report's: nobody real")
+      ]
+    filters =
+      [ (Box, filterName Box, "the mean over the pixel's square"),
+        (Gaussian, filterName Gaussian, "soft, of standard deviation 1/2 pixel"),
+        (Mitchell, filterName Mitchell, "crisp, with negative lobes")
       ]
     integrators =
       [ (Tabulated, integratorName Tabulated, "closed-form orbits, tabulated for the camera's place"),
@@ -223,20 +235,26 @@ presencePart = part (isJust . sceneDisk) $ \present s -> case (present, sceneDis
 disk :: Part Gas.Disk a -> Part Scene a
 disk = inside (Part sceneDisk (\d s -> s {sceneDisk = Just d}))
 
--- Whether the gas is a black body.
-colourPart :: Part Scene Bool
-colourPart = disk . part (isJust . temperature . Gas.diskColour) $ \blackBody d ->
-  case (blackBody, Gas.diskColour d) of
-    (False, _) -> d {Gas.diskColour = HueRamp}
-    (True, HueRamp) -> d {Gas.diskColour = BlackBody 4500}
-    (True, BlackBody _) -> d
+-- | The ways to shine without what belongs to them.
+data Glow = RampGlow | BlackBodyGlow | BolometricGlow
+  deriving (Eq)
+
+glowPart :: Part Scene Glow
+glowPart = disk (part (glowOf . Gas.diskColour) (\glow d -> d {Gas.diskColour = colourOf glow (Gas.diskColour d)}))
+  where
+    glowOf HueRamp = RampGlow
+    glowOf (BlackBody _) = BlackBodyGlow
+    glowOf Bolometric = BolometricGlow
+    colourOf RampGlow _ = HueRamp
+    colourOf BolometricGlow _ = Bolometric
+    colourOf BlackBodyGlow colour@(BlackBody _) = colour
+    colourOf BlackBodyGlow _ = BlackBody 4500
 
 temperaturePart :: Part Scene Double
 temperaturePart = disk (Part (temperature . Gas.diskColour) (\v d -> d {Gas.diskColour = BlackBody v}))
-
-temperature :: DiskColour -> Maybe Double
-temperature HueRamp = Nothing
-temperature (BlackBody t) = Just t
+  where
+    temperature (BlackBody t) = Just t
+    temperature _ = Nothing
 
 -- | The kinds of sky without what belongs to them.
 data SkyKind = NoiseSky | StarSky | GridSky | UniformSky | NoSky

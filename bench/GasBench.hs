@@ -1,0 +1,37 @@
+-- | What a sample of the gas costs, and the noise in it.
+module GasBench (benchmarks) where
+
+import BlackHole.Physics.LightPath
+import BlackHole.Scene.Disk
+import BlackHole.Scene.Preset
+import BlackHole.Scene.Shifts
+import BlackHole.Trace.Gas
+import BlackHole.Vector.XYZ (XYZ (..))
+import Criterion.Main
+import GasPlaces
+
+benchmarks :: Benchmark
+benchmarks =
+  bgroup
+    "gas"
+    [ bgroup
+        "one sample"
+        [ bench name (whnf (transparency . gatherGas (made disk) 1 nothingYet) stretch)
+          | (name, disk) <- [("default", defaultDisk), ("smooth", defaultDisk {diskArms = 0, diskTurbulence = 0}), ("report", reportDisk)]
+        ],
+      env (pure (placesOf 20000 defaultScene)) $ \places ->
+        bgroup
+          "noise at 20000 places of the default disk"
+          [ bgroup
+              (fieldName field)
+              [ bench "remembered" (whnf (total (fieldRemembered field) places) 0),
+                bench "hashed" (whnf (total (fieldHashed field) places) 0)
+              ]
+            | field <- fields defaultDisk
+          ]
+    ]
+  where
+    made disk = gas 0 (Shifts True True) disk (XYZ 0 5 30) 1e-3 1
+    stretch = Stretch (XYZ 4 0.005 2) (XYZ 0.1 (-0.9) 0.3) 0.01
+    transparency (Onward g) = gatheredTransmittance g
+    transparency (Hidden g) = gatheredTransmittance g

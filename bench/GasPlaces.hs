@@ -1,0 +1,128 @@
+{-# LANGUAGE BangPatterns #-}
+
+-- | The places where the gas of a disk is looked at in a picture, and the noise
+-- that is asked for there: with gradients remembered, and with every lattice
+-- point hashed.
+module GasPlaces
+  ( Places,
+    placesOf,
+    placeCount,
+    Field (..),
+    fields,
+    total,
+    agreeing,
+  )
+where
+
+import BlackHole.Noise.Lattice
+import BlackHole.Noise.PerlinG
+import BlackHole.Noise.Profile (normalised, octaves)
+import BlackHole.Noise.Remembered
+import BlackHole.Noise.Sheets
+import BlackHole.Physics.LightPath
+import BlackHole.Scene.Camera (Picture (..))
+import BlackHole.Scene.Disk
+import BlackHole.Scene.Scene
+import BlackHole.Trace.Pixel
+import BlackHole.Vector.XY (XY (..))
+import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
+import Control.DeepSeq (NFData (..))
+import Data.Functor.Identity (Identity (..))
+import Data.Maybe (fromMaybe)
+import qualified Data.Vector.Storable as Vector
+
+-- | Three numbers for each place.
+newtype Places = Places (Vector.Vector Double)
+
+instance NFData Places where
+  rnf (Places numbers) = rnf numbers
+
+-- | The first so many places of gas in a picture of 640 × 360 pixels, every
+-- eleventh of which is looked at.
+placesOf :: Int -> Scene -> Places
+placesOf count scene = Places (Vector.fromList (concatMap components (take count found)))
+  where
+    small = scene {scenePicture = Picture 640 360, sceneSamples = 1}
+    components (XYZ x y z) = [x, y, z]
+    found = fromMaybe [] $ do
+      traced <- tracer small
+      pure
+        [ stretchMiddle stretch
+          | row <- [0, 11 .. 359 :: Int],
+            column <- [0, 11 .. 639 :: Int],
+            let point = XY (fromIntegral column + 0.5) (fromIntegral row + 0.5),
+            Just sight <- [tracedSight traced point],
+            stretch <- reverse (followedState (followSight traced point sight (\s t -> Onward (t : s)) []))
+        ]
+
+-- | How many places these are.
+placeCount :: Places -> Int
+placeCount (Places numbers) = Vector.length numbers `quot` 3
+
+-- | Two ways to the same noise.
+data Field = Field
+  { fieldName :: String,
+    fieldRemembered :: XYZ -> Double,
+    fieldHashed :: XYZ -> Double
+  }
+
+-- | The noise of a disk's arms, and that of its turbulence.
+fields :: Disk -> [Field]
+fields disk =
+  [ Field
+      ("arms of " ++ show (diskArmNoiseOctaves disk) ++ " octaves, in space")
+      (rememberedPerlin3 (remember 2000000 seed profile (armPlace low) (armPlace high)) 64 . armPlace)
+      (perlin3 seed profile . armPlace),
+    Field
+      "turbulence of 4 octaves, in sheets"
+      (onSheets (sheetsValue turbulence 64))
+      (onSheets (hashedSheets (sheetsAmplitudes turbulence)))
+  ]
+  where
+    seed = Seed 42
+    profile = normalised (octaves (clampedLevel 28) (diskArmNoiseOctaves disk) 0.5)
+    outer = diskOuterRadius disk
+    top = 3 * diskThickness disk
+    low = XYZ (negate outer) (negate top) (negate outer)
+    high = XYZ outer top outer
+    armPlace place = (16 * diskArmNoiseFrequency disk) *^ place ^+^ XYZ 5.3 5.3 5.3
+    turbulence = sheets seed 4 0.6
+    -- Something of the right kind and range; what exactly does not matter to
+    -- the cost.
+    onSheets noise (XYZ x y z) = noise (0.01 * x) (0.6 * z) y
+    {-# INLINE onSheets #-}
+
+-- | 'sheetsValue' of all octaves with the hash of each lattice point worked out
+-- every time.
+hashedSheets :: [Double] -> Double -> Double -> Double -> Double
+hashedSheets amplitudes turns v height = go 0 (iterate (+ 2.399963229728653) 0.7) amplitudes 0
+  where
+    go :: Int -> [Double] -> [Double] -> Double -> Double
+    go !i (tilt : tilts) (amplitude : rest) !sum' =
+      go (i + 1) tilts rest (sum' + amplitude * runIdentity (noise2With (Identity . hash) l (XY (place (8 * turns + cos tilt * height)) (place (v + sin tilt * height)))))
+      where
+        l = clampedLevel (5 + i)
+        place x = 2 ^ i * x / cellsPerUnit l
+        hash p = latticeHash2 (Seed 42) (latticePoint2 l ((pointX2 p - middleIndex l) `mod` (8 * 2 ^ i)) ((pointY2 p - middleIndex l) `mod` (32 * 2 ^ i)))
+    go _ _ _ sum' = sum'
+
+-- | The sum of a field over all places, and a number: another one makes it
+-- another sum.
+total :: (XYZ -> Double) -> Places -> Double -> Double
+total noise (Places numbers) = go 0
+  where
+    !n = Vector.length numbers
+    go :: Int -> Double -> Double
+    go !i !acc
+      | i >= n = acc
+      | otherwise = go (i + 3) (acc + noise (placeAt numbers i))
+
+-- | Whether both ways have the same bits at every place.
+agreeing :: Field -> Places -> Bool
+agreeing field (Places numbers) =
+  and [fieldRemembered field p == fieldHashed field p | i <- [0, 3 .. Vector.length numbers - 3], let p = placeAt numbers i]
+
+placeAt :: Vector.Vector Double -> Int -> XYZ
+placeAt numbers i = XYZ (at 0) (at 1) (at 2)
+  where
+    at k = Vector.unsafeIndex numbers (i + k)

@@ -1,0 +1,203 @@
+-- | The table of what the program does in what time and memory, how it scales,
+-- and how exact its shortcuts are. The pictures are drawn by the program itself,
+-- as its users run it.
+module Table (printTable) where
+
+import BlackHole.Scene.Disk (Disk)
+import BlackHole.Scene.Preset
+import BlackHole.Scene.Scene (Scene (..))
+import Control.Concurrent (threadDelay)
+import Control.Exception (evaluate, finally)
+import Control.Monad (forM, replicateM, unless, void, when)
+import Data.List (sort)
+import Data.Maybe (mapMaybe)
+import GHC.Clock (getMonotonicTime)
+import GasPlaces
+import System.Directory (doesFileExist, getTemporaryDirectory, removeFile)
+import System.Exit (ExitCode (..))
+import System.FilePath ((</>))
+import System.IO
+import System.IO.Error (catchIOError)
+import System.Process
+import TableError
+import Text.Printf (printf)
+import Text.Read (readMaybe)
+
+-- | What a run of the program took.
+data Run = Run
+  { runSeconds :: !Double,
+    -- | Greatest resident memory in megabytes; 'Nothing' where the system does
+    -- not say.
+    runMegabytes :: !(Maybe Double)
+  }
+
+-- | A picture to draw.
+data Work = Work
+  { workName :: String,
+    workOptions :: [String],
+    workWidth :: Int,
+    workSamples :: Int,
+    workTarget :: String
+  }
+
+-- | @printTable program huge@ prints everything to standard output, with a
+-- picture of 7680 × 4320 if it is to be huge. Two minutes on two free cores.
+printTable :: FilePath -> Bool -> IO ()
+printTable program huge = do
+  hSetBuffering stdout LineBuffering
+  folder <- getTemporaryDirectory
+  let output = folder </> "blackhole-bench.png"
+      drawn = draw program output
+  flip finally (removeFile output `catchIOError` const (pure ())) $ do
+    printf "%-46s %8s %8s %6s  %s\n" "picture" "s" "Mray/s" "MB" "target"
+    mapM_ (\work -> medianOf 3 (drawn [] work) >>= reportWork work) works
+    leapfrog <- drawn [] reportLeapfrog
+    reportWork reportLeapfrog leapfrog
+    tabulated <- medianOf 3 (drawn [] reportTable)
+    printf "the table against the leapfrog: %.1f times as fast\n\n" (runSeconds leapfrog / runSeconds tabulated)
+    printf "%-46s %8s %8s %6s\n" "two workers against one" "1, s" "2, s" "ratio"
+    mapM_ (reportScaling drawn) scalings
+    printf "\n%-46s %8s %8s %6s\n" "cost per pixel, default scene, 1 sample" "s" "µs/pixel" "MB"
+    mapM_ (reportSize drawn) ([320, 640, 1280, 1920, 3840] ++ [7680 | huge])
+  putStrLn ""
+  reportErrors
+  putStrLn ""
+  reportNoise "default" (sceneDisk defaultScene)
+  reportNoise "report" (sceneDisk reportScene)
+  putStrLn ""
+  mapM_ (reportStart program) ["--version", "--help"]
+
+works :: [Work]
+works =
+  [ reportTable,
+    Work "default, 1280 × 720, 1 sample" ["--preset", "default"] 1280 1 "1 Mray/s",
+    lensing,
+    Work "default, 1920 × 1080, 4 samples" ["--preset", "default"] 1920 4 "9 s, 200 MB"
+  ]
+
+reportTable, reportLeapfrog, lensing :: Work
+reportTable = Work "report, 1280 × 720, exact orbits (table)" ["--preset", "report", "--integrator", "table"] 1280 1 "2 Mray/s"
+reportLeapfrog = Work "report, 1280 × 720, leapfrog" ["--preset", "report"] 1280 1 "0.105 Mray/s"
+lensing = Work "lensing alone, 1920 × 1080, grid sky" ["--no-disk", "--sky", "grid"] 1920 1 "8 Mray/s"
+
+-- | Large enough that starting and the camera's table do not count.
+scalings :: [Work]
+scalings =
+  [ reportTable,
+    reportLeapfrog {workName = "report, 320 × 180, leapfrog", workWidth = 320},
+    Work "default, 960 × 540, 1 sample" [] 960 1 "",
+    lensing
+  ]
+
+-- | Rays of a picture, in millions.
+megarays :: Work -> Double
+megarays work = fromIntegral (workWidth work * (workWidth work * 9 `quot` 16) * workSamples work) / 1e6
+
+reportWork :: Work -> Run -> IO ()
+reportWork work run =
+  printf "%-46s %8.2f %8.2f %6s  %s\n" (workName work) (runSeconds run) (megarays work / runSeconds run) (megabytes run) (workTarget work)
+
+megabytes :: Run -> String
+megabytes = maybe "-" (printf "%.0f") . runMegabytes
+
+reportScaling :: ([String] -> Work -> IO Run) -> Work -> IO ()
+reportScaling drawn work = do
+  one <- medianOf 3 (drawn ["--threads", "1"] work)
+  two <- medianOf 3 (drawn ["--threads", "2"] work)
+  printf "%-46s %8.2f %8.2f %6.2f\n" (workName work) (runSeconds one) (runSeconds two) (runSeconds one / runSeconds two)
+
+reportSize :: ([String] -> Work -> IO Run) -> Int -> IO ()
+reportSize drawn width = do
+  let work = Work (show width ++ " × " ++ show (width * 9 `quot` 16)) [] width 1 ""
+  run <- medianOf (if width > 1920 then 1 else 3) (drawn [] work)
+  printf "%-46s %8.2f %8.2f %6s\n" (workName work) (runSeconds run) (runSeconds run / megarays work) (megabytes run)
+
+-- | Against the closed form.
+reportErrors :: IO ()
+reportErrors = do
+  printf "%-46s %8s %8s %6s\n" "error of the table (targets: 1e-6, 1e-5)" "sky" "crossing" "fates"
+  worst <- forM [0.3, 0.9, 1.0001, 1.2, 1.5, 2, 3, 10, 30, 1000, 1e6] $ \r -> do
+    let found = tableError 3000 r
+    printf "%-46s %8.1e %8.1e %6d\n" ("r = " ++ show r) (skyError found) (crossingError found) (wrongFates found)
+    pure found
+  let TableError sky crossing fates = mconcat worst
+  printf "%-46s %8.1e %8.1e %6d\n" "all" sky crossing fates
+
+-- | Noise from tables against hashing every lattice point.
+reportNoise :: String -> Maybe Disk -> IO ()
+reportNoise name = mapM_ (mapM_ one . fields)
+  where
+    places = placesOf 20000 defaultScene
+    one field = do
+      remembered <- secondsOf (fieldRemembered field)
+      hashed <- secondsOf (fieldHashed field)
+      printf "noise, %s: %s: %.0f ns, hashed %.0f ns, %.1f times (target 5), %s\n" name (fieldName field) (perPlace remembered) (perPlace hashed) (hashed / remembered) (if agreeing field places then "bit-equal" else "NOT EQUAL")
+    perPlace seconds = 1e9 * seconds / fromIntegral (placeCount places)
+    secondsOf noise = do
+      void (evaluate (total noise places 0))
+      median <$> mapM (fmap fst . timed . evaluate . total noise places) [1 .. 7]
+
+reportStart :: FilePath -> String -> IO ()
+reportStart program option = do
+  times <- replicateM 15 (fst <$> timed (readProcess program [option] ""))
+  printf "blackhole %s: %.0f ms (target 30)\n" option (1000 * median times)
+
+-- | Draw a picture with more options.
+draw :: FilePath -> FilePath -> [String] -> Work -> IO Run
+draw program output more work = do
+  doesFileExist output >>= \there -> when there (removeFile output)
+  (seconds, memory) <- timed (watched program arguments)
+  made <- doesFileExist output
+  unless made $ ioError (userError (unwords (program : arguments) ++ ": no picture"))
+  pure (Run seconds memory)
+  where
+    arguments =
+      ["render"] ++ workOptions work
+        ++ ["--width", show (workWidth work), "--samples", show (workSamples work), "-o", output]
+        ++ more
+
+-- | Run a program to its end; the greatest resident memory it had, in megabytes,
+-- is looked up in @/proc@ some hundred times a second.
+watched :: FilePath -> [String] -> IO (Maybe Double)
+watched program arguments =
+  withCreateProcess (proc program arguments) {std_out = CreatePipe, std_err = Inherit} $ \_ _ _ process -> do
+    let follow greatest = do
+          now <- getPid process >>= maybe (pure Nothing) residentMegabytes
+          ended <- getProcessExitCode process
+          case ended of
+            Nothing -> threadDelay 4000 >> follow (max greatest now)
+            Just ExitSuccess -> pure (max greatest now)
+            Just code -> ioError (userError (program ++ ": " ++ show code))
+    follow Nothing
+
+-- | The high-water mark of a running process.
+residentMegabytes :: Pid -> IO (Maybe Double)
+residentMegabytes pid = highest `catchIOError` const (pure Nothing)
+  where
+    highest = do
+      text <- readFile ("/proc/" ++ show pid ++ "/status")
+      pure $! case mapMaybe kilobytes (lines text) of
+        (k : _) -> Just $! k / 1024
+        [] -> Nothing
+    kilobytes line = case words line of
+      ["VmHWM:", amount, _] -> readMaybe amount
+      _ -> Nothing
+
+timed :: IO a -> IO (Double, a)
+timed action = do
+  start <- getMonotonicTime
+  result <- action
+  end <- getMonotonicTime
+  pure (end - start, result)
+
+-- | The run of the median time of several.
+medianOf :: Int -> IO Run -> IO Run
+medianOf count action = do
+  runs <- replicateM count action
+  pure (Run (median (map runSeconds runs)) (maximum (map runMegabytes runs)))
+
+-- | The middle one, or the higher of the two; 0 of none.
+median :: [Double] -> Double
+median values = case drop (length values `quot` 2) (sort values) of
+  middle : _ -> middle
+  [] -> 0

@@ -1,0 +1,65 @@
+-- | How far the tabulated light paths are from the closed form.
+module TableError
+  ( TableError (..),
+    tableError,
+  )
+where
+
+import BlackHole.Physics.LensTable
+import BlackHole.Physics.Orbit
+import BlackHole.Physics.Radii (criticalImpactParameter)
+import BlackHole.Physics.Sweep
+
+-- | The greatest errors found.
+data TableError = TableError
+  { -- | Of the direction of the sky, in radians.
+    skyError :: !Double,
+    -- | Of the radius at a given angle, which is that of a crossing of the
+    -- disk's plane, in Schwarzschild radii, for radii up to 30.
+    crossingError :: !Double,
+    -- | Paths with another fate.
+    wrongFates :: !Int
+  }
+
+instance Semigroup TableError where
+  TableError a b c <> TableError a' b' c' = TableError (max a a') (max b b') (c + c')
+
+instance Monoid TableError where
+  mempty = TableError 0 0 0
+
+-- | The errors of the paths from a radius in so many directions, evenly spread,
+-- away from @|b − b_c| < 1e-4@ and, for the crossings, from b < 1e-3, where light
+-- moves along the radius.
+tableError :: Int -> Double -> TableError
+tableError count r = foldMap (errorOf . part) [0 .. count - 1]
+  where
+    table = lensTable r
+    part i = (fromIntegral i + 0.5) / fromIntegral count
+    errorOf along
+      | abs (b - criticalImpactParameter) < 1e-4 = mempty
+      | otherwise = case (sweepEnd sweep, orbitFate path) of
+        (Leaves c s, Escapes angle) -> TableError (sqrt ((c - cos angle) * (c - cos angle) + (s - sin angle) * (s - sin angle))) crossings 0
+        (FallsIn, Captured _) -> TableError 0 crossings 0
+        (CirclesOn, Circles) -> mempty
+        _ -> TableError 0 0 1
+      where
+        path = orbit r radial tangential
+        sweep = lensSweep table radial tangential
+        spacing = sweepSpacing sweep
+        b = r * tangential
+        (radial, tangential)
+          | r > 1 = (cos (pi * along), sin (pi * along) / sqrt (1 - 1 / r))
+          | otherwise = let t = tan (0.5 * pi * along) / r in (sqrt (1 + (1 / r - 1) * t * t), t)
+        crossings =
+          maximum $
+            0 :
+              [ abs (1 / exactly - 1 / expansionValue (expand 1.5 u slope) (phi - middle))
+                | b > 1e-3,
+                  k <- [0 .. 10 :: Int],
+                  let phi = sweepAngle sweep * (fromIntegral k + along) / 11
+                      exactly = orbitInverseRadius path phi
+                      cell = max 0 (min (sweepCells sweep - 1) (truncate (phi / spacing)))
+                      middle = (fromIntegral cell + 0.5) * spacing
+                      (u, slope) = waypoint (sweepWaypoints sweep) spacing cell,
+                  exactly > 1 / 30
+              ]

@@ -1,0 +1,24 @@
+-- | How the samples around a pixel make up its value.
+module BlackHole.Scene.Filter
+  ( Filter (..),
+    filterName,
+  )
+where
+
+-- | A reconstruction filter. All are normalised; lengths are in pixels.
+data Filter
+  = -- | The mean over the pixel's own square.
+    Box
+  | -- | A Gaussian of standard deviation 1\/2, cut off at a distance of 3\/2.
+    Gaussian
+  | -- | The cubic of Mitchell and Netravali (1988) with B = C = 1\/3, of radius 2:
+    -- its negative lobes keep edges crisp.
+    Mitchell
+  deriving (Eq, Show, Read, Enum, Bounded)
+
+-- | The name on the command line.
+filterName :: Filter -> String
+filterName f = case f of
+  Box -> "box"
+  Gaussian -> "gaussian"
+  Mitchell -> "mitchell"

@@ -1,0 +1,113 @@
+{-# LANGUAGE BangPatterns #-}
+
+-- | Where in and around a pixel its samples are taken.
+--
+-- Every pixel draws its own samples, distributed like the reconstruction filter
+-- around its middle (Ernst, Stamminger and Greiner 2006, "Filter importance
+-- sampling"), so that a pixel is a function of the scene and its place alone and
+-- pictures can be cut into bands anywhere. The points are the first two
+-- dimensions of Sobol's sequence, shifted by random digits hashed from the seed
+-- and the pixel: any 4^k of them from the beginning lie one in each cell of a
+-- grid, however many follow.
+module BlackHole.Trace.Sampling
+  ( Sample (..),
+    sampleOf,
+  )
+where
+
+import BlackHole.Noise.SipHash
+import BlackHole.Numeric.Floor
+import BlackHole.Scene.Filter
+import BlackHole.Vector.XY (XY (..))
+import Data.Bits (shiftR, testBit, unsafeShiftR, xor)
+import Data.Primitive.PrimArray
+import Data.Word (Word32, Word64, bitReverse32)
+
+-- | A point of the picture, in pixels from the top left corner, and the weight
+-- with which it counts: 1, or −1 where the filter is negative.
+data Sample = Sample
+  { samplePlace :: {-# UNPACK #-} !XY,
+    sampleWeight :: {-# UNPACK #-} !Double
+  }
+  deriving (Eq, Show)
+
+-- | @sampleOf filter seed count column row index@: one of the samples of a pixel,
+-- numbered from 0. Where there is only one it sits in the middle.
+sampleOf :: Filter -> Word64 -> Int -> Int -> Int -> Int -> Sample
+sampleOf reconstruction !seed !count !column !row !index
+  | count == 1 = at 0.5 0.5 1
+  | otherwise = case reconstruction of
+    Box -> at u v 1
+    Gaussian ->
+      -- Both coordinates at once: the distance is distributed as 1 − e^(−2d²).
+      let d = sqrt (-0.5 * log (1 - u * (1 - exp (-4.5))))
+       in at (0.5 + d * cos (2 * pi * v)) (0.5 + d * sin (2 * pi * v)) 1
+    Mitchell ->
+      let (x, wx) = mitchellOffset u
+          (y, wy) = mitchellOffset v
+       in at (0.5 + x) (0.5 + y) (wx * wy)
+  where
+    at x y = Sample (XY (fromIntegral column + x) (fromIntegral row + y))
+    shifts = sipHash2 (SipKey seed 0x73616d706c65) (fromIntegral column) (fromIntegral row)
+    i = fromIntegral index :: Word32
+    u = fraction (bitReverse32 i `xor` fromIntegral (shifts `shiftR` 32))
+    v = fraction (sobolSecond i `xor` fromIntegral shifts)
+    fraction w = (fromIntegral w + 0.5) / 4294967296
+
+-- | The second dimension of Sobol's sequence: the binary digits times Pascal's
+-- triangle modulo 2.
+sobolSecond :: Word32 -> Word32
+sobolSecond = go 0 0x80000000
+  where
+    go !digits !_ 0 = digits
+    go !digits !column rest =
+      go
+        (if testBit rest 0 then digits `xor` column else digits)
+        (column `xor` (column `unsafeShiftR` 1))
+        (rest `unsafeShiftR` 1)
+
+-- | The offset along one axis at a quantile of the filter's modulus, and the
+-- filter's sign there.
+mitchellOffset :: Double -> (Double, Double)
+mitchellOffset u = (x, if abs x > zeroOfMitchell then -1 else 1)
+  where
+    Floor i t = floorOf (u * fromIntegral quantileCount)
+    a = indexPrimArray mitchellQuantiles i
+    b = indexPrimArray mitchellQuantiles (min quantileCount (i + 1))
+    x = a + t * (b - a)
+
+-- | Where the filter turns negative.
+zeroOfMitchell :: Double
+zeroOfMitchell = 1.1428571428571428
+
+-- | The filter itself, for B = C = 1\/3.
+mitchell :: Double -> Double
+mitchell x
+  | d < 1 = (7 * d * d * d - 12 * d * d + 16 / 3) / 6
+  | d < 2 = (-7 / 3 * d * d * d + 12 * d * d - 20 * d + 32 / 3) / 6
+  | otherwise = 0
+  where
+    d = abs x
+
+quantileCount :: Int
+quantileCount = 4096
+
+-- | Where the modulus of the filter, integrated from −2, reaches each
+-- 4096th of the whole.
+mitchellQuantiles :: PrimArray Double
+mitchellQuantiles = primArrayFromListN (quantileCount + 1) (go 0 0 (zip places sums))
+  where
+    steps = 20000 :: Int
+    places = [-2 + 4 * fromIntegral k / fromIntegral steps | k <- [0 .. steps]] :: [Double]
+    sums = scanl (+) 0 [abs (mitchell (p + 2 / fromIntegral steps)) | p <- places]
+    whole = sums !!! steps
+    xs !!! k = case drop k xs of
+      x : _ -> x
+      [] -> 1
+    go :: Int -> Double -> [(Double, Double)] -> [Double]
+    go k lastPlace rest
+      | k > quantileCount = []
+      | otherwise = case dropWhile ((< whole * fromIntegral k / fromIntegral quantileCount) . snd) rest of
+        found@((p, _) : _) -> p : go (k + 1) p found
+        [] -> lastPlace : go (k + 1) lastPlace []
+{-# NOINLINE mitchellQuantiles #-}

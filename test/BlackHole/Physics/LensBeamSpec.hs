@@ -1,0 +1,49 @@
+module BlackHole.Physics.LensBeamSpec (spec) where
+
+import BlackHole.Physics.ExactPath
+import BlackHole.Physics.Fate
+import BlackHole.Physics.LensBeam
+import BlackHole.Physics.LensTable
+import BlackHole.Physics.LightPath
+import BlackHole.Physics.Observer
+import BlackHole.Physics.Photon
+import BlackHole.Physics.Spacetime
+import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^), (^-^))
+import qualified BlackHole.Vector.XYZ as XYZ
+import Data.Maybe (fromMaybe)
+import Support.Generators
+import Test.Hspec
+import Test.Hspec.QuickCheck (prop)
+import Test.QuickCheck
+
+spec :: Spec
+spec =
+  sequence_
+    [ prop ("is the difference quotient of the closed form, for the " ++ observerName observer ++ " observer at " ++ show r) $
+        \(Direction d) (Direction side) ->
+          let step = 1e-6
+              at = sightLine Schwarzschild observer place
+              place = (r / XYZ.norm axis) *^ axis
+           in case (at d, at (unit (d ^+^ step *^ side))) of
+                (Just (SightLine photon _), Just (SightLine neighbour _)) ->
+                  case (escape photon, escape neighbour) of
+                    (Just here, Just there)
+                      | abs (fromMaybe 0 (impactParameter photon) - 2.598076211353316) > 0.05 ->
+                        let expected = (1 / step) *^ (there ^-^ here)
+                         in case lensChange table photon here neighbour of
+                              Just change ->
+                                counterexample (show (expected, (1 / step) *^ change)) $
+                                  XYZ.distance expected ((1 / step) *^ change) < 1e-3 * (1 + XYZ.norm expected)
+                              Nothing -> property False
+                    _ -> discard
+                _ -> discard
+      | observer <- [Static, Orbiting, Falling],
+        r <- [2, 12],
+        let table = lensTable r
+    ]
+  where
+    axis = XYZ 0.3 0.8 (-0.5)
+    unit v = (1 / XYZ.norm v) *^ v
+    escape photon = case followedFate (followExact Schwarzschild emptyRegion photon (\() _ -> Onward ()) ()) of
+      Escaped direction -> Just direction
+      _ -> Nothing
