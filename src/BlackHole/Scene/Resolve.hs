@@ -67,7 +67,7 @@ resolveRequest (Request preset file options) = case traverse (parseSceneFile . s
       settingPath s ++ ": " ++ showValue (settingValue s) ++ " has no effect"
         ++ maybe " in this scene" (\c -> " beside " ++ settingPath c ++ ": " ++ showValue (settingValue c)) culprit
     unknownPreset =
-      "a preset" ++ suggestion (fromMaybe "" preset) presetNames ++ "; there are: " ++ intercalate ", " chosenNames
+      "a preset" ++ suggestion (fromMaybe "" preset) presetNames ++ "; there are: " ++ intercalate ", " presetNames
     given = map settingPath options
     clashes =
       [ Problem "--camera" "together with --distance, --inclination or --azimuth" "one way to place the camera; choose either"

@@ -68,14 +68,14 @@ spec = do
       forAll place $ \(turns, v, height) -> sheetsValue noise (-1) turns v height === 0
   it "allocates nothing" $
     whenOptimised $ do
-      let total :: Int -> Double
-          total n = go n 0
+      let summed :: Int -> Double
+          summed n = go n 0
             where
               go :: Int -> Double -> Double
               go 0 acc = acc
               go k acc = let t = fromIntegral k in acc `seq` go (k - 1) (acc + sheetsValue noise 4 (t * 1e-5) (t * 0.01) 0.3)
-      few <- allocatedBytes (total 100)
-      many <- allocatedBytes (total 10100)
+      few <- allocatedBytes (summed 100)
+      many <- allocatedBytes (summed 10100)
       -- A boxed result for each value.
       (many - few) `div` 10000 `shouldSatisfy` (<= 16)
   where
@@ -90,14 +90,14 @@ spec = do
 -- point a whole number of turns and heights away.
 hashed :: Int -> [(Double, Double)] -> Double -> Double -> Double -> Double
 hashed count octaves turns v height =
-  foldl (\total (i, octave) -> total + layer i octave) 0 (zip [0 ..] (take count octaves))
+  foldl (\summed (i, octave) -> summed + layer i octave) 0 (zip [0 ..] (take count octaves))
   where
     layer :: Int -> (Double, Double) -> Double
     layer i (amplitude, tilt) =
       let l = clampedLevel (5 + i)
           cells = cellsPerUnit l
-          scale = 2 ^ i
-          x = scale * (8 * turns + cos tilt * height)
-          y = scale * (v + sin tilt * height)
+          size = 2 ^ i
+          x = size * (8 * turns + cos tilt * height)
+          y = size * (v + sin tilt * height)
           wrapped p = latticePoint2 l ((pointX2 p - middleIndex l) `mod` (8 * 2 ^ i)) ((pointY2 p - middleIndex l) `mod` (32 * 2 ^ i))
        in amplitude * runIdentity (noise2With (Identity . latticeHash2 (Seed 42) . wrapped) l (XY (x / cells) (y / cells)))
