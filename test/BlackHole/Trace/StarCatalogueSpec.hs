@@ -47,7 +47,7 @@ spec = do
   prop "galactic coordinates turn and turn back" $ \(Direction d) ->
     closeTo 1e-12 0 (XYZ.norm (fromGalactic (toGalactic d) ^-^ d))
   it "the Milky Way is brighter in its plane than at its poles, and brightest about the middle" $ do
-    let lights = map luminance [foldMap (skyImageRadianceAt . fromGalactic) places | places <- [ring 1, ring (-1), [XYZ 0 0 1, XYZ 0 0 (-1)]]]
+    let lights = [luminance (foldMap (skyImageRadianceAt . fromGalactic) places) | places <- [ring 1, ring (-1), [XYZ 0 0 1, XYZ 0 0 (-1)]]]
         ring c = [XYZ (c * cos t) (sin t) 0 | t <- [-0.5, -0.25 .. 0.5]]
     case lights of
       [middle, far, poles] -> do
