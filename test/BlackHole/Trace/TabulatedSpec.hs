@@ -26,7 +26,7 @@ spec = do
     map (value waves 1) [-3, -1 / 0] `shouldBe` replicate 2 (value waves 1 (-2))
     map (value waves 1) [6, 1 / 0] `shouldBe` replicate 2 (value waves 1 5)
   it "does with two arguments" $
-    value (tabulate 1 2 0 1 ((: []))) 0 0.25 `shouldBe` 0.25
+    value (tabulate 1 2 0 1 (: [])) 0 0.25 `shouldBe` 0.25
   where
     spacing = 0.1
     lines' = tabulate 2 8 (-2) 5 (\x -> [3 * x - 1, negate x])
