@@ -108,7 +108,7 @@ commandText c =
     wrapped 0 (commandSummary c)
       ++ ["", usage c]
       ++ concat
-        [ ("" : (title ++ ":") : concatMap entryRows entries)
+        [ "" : (title ++ ":") : concatMap entryRows entries
           | (title, entries) <- sections c
         ]
       ++ [line | not (null (commandExamples c)), line <- "" : heading : map ("  " ++) (commandExamples c)]
@@ -135,7 +135,7 @@ entryMeaning :: Entry -> String
 entryMeaning e = entryText e ++ fromMaybe "" (fieldOf e >>= defaultNote (entryText e))
 
 fieldOf :: Entry -> Maybe Field
-fieldOf e = find (\f -> maybe False ((`elem` entryNames e) . optionName) (fieldOption f)) sceneFields
+fieldOf e = find (maybe False ((`elem` entryNames e) . optionName) . fieldOption) sceneFields
 
 defaultNote :: String -> Field -> Maybe String
 defaultNote text f

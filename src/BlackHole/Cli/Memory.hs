@@ -73,5 +73,5 @@ firstLine file word = do
 
 readSmall :: FilePath -> IO (Maybe String)
 readSmall file = do
-  outcome <- try (readFile file >>= \text -> text <$ evaluate (length text))
-  pure (either (\refusal -> const Nothing (refusal :: IOException)) Just outcome)
+  outcome <- try (readFile file >>= \text -> text <$ evaluate (length text)) :: IO (Either IOException String)
+  pure (either (const Nothing) Just outcome)

@@ -17,7 +17,7 @@ where
 
 import BlackHole.Animation.Progress (durationText)
 import BlackHole.Cli.Json (showDouble)
-import Control.Exception (bracket)
+import Control.Exception (finally)
 import Control.Monad (when)
 import Data.IORef
 import GHC.Clock (getMonotonicTime)
@@ -125,7 +125,7 @@ withProgress mode rows rowRays action = do
         hPutStr stderr ("\r\ESC[K" ++ progressBarLine coloured (maybe 80 columnsOf window - 1) p)
       -- A terminal that does not know its size says 0.
       columnsOf window = if Terminal.width window > 0 then Terminal.width window else 80
-      bar = bracket (pure ()) (const (hPutStr stderr "\r\ESC[K" >> hFlush stderr)) (const (action (every 0.1 draw)))
+      bar = action (every 0.1 draw) `finally` (hPutStr stderr "\r\ESC[K" >> hFlush stderr)
       text = action (every 5 (hPutStrLn stderr . progressTextLine))
   case mode of
     AutoProgress

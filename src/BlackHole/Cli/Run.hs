@@ -43,7 +43,7 @@ import BlackHole.Scene.Validate
 import BlackHole.SelfTest.Check (Check, checkHolds)
 import BlackHole.Trace.Explain (explainPixel)
 import Control.Applicative ((<|>))
-import Control.Exception (IOException, SomeAsyncException (..), SomeException, displayException, evaluate, fromException, throwIO, try)
+import Control.Exception (IOException, SomeAsyncException (..), SomeException, catch, displayException, evaluate, fromException, throwIO, try)
 import Control.Monad (forM_, void, when)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
@@ -194,11 +194,11 @@ render options
            ]
     renderTo crew format coding scene = do
       let rows = pictureHeight (scenePicture scene)
-      exposing how crew scene (0, rows) output $ \film seconds ->
-        finishing crew scene (0, rows) film seconds (finishFilm crew programName format coding scene [] film) (noRoom output)
+      exposing how crew scene (0, rows) output $ \film done seconds ->
+        finishing crew scene (0, done) film seconds (finishFilm crew programName format coding scene [] film) (noRoom output)
     tileTo crew part scene = do
       let band = shardRows part (pictureHeight (scenePicture scene))
-      exposing how {runKeepPartial = False} crew scene band output $ \film seconds ->
+      exposing how {runKeepPartial = False} crew scene band output $ \film _ seconds ->
         finishing crew scene band film seconds (pure (encodeTile (tileHeader programName part scene) film)) "the tile can't be coded"
     finishing crew scene band film traced encoded refusal = do
       faults <- warnOfFaults (fst band) film
@@ -215,13 +215,14 @@ render options
               either (complain CannotWrite . ("--stats: " ++) . renderWriteProblem) (const (pure Done)) written
             _ -> pure status
 
--- | Trace rows of a scene, tell how far that is, and go on with the film and the
--- seconds it took. If some is to be kept when a signal comes, bands are traced
+-- | Trace rows of a scene, tell how far that is, and go on with the film, the
+-- number of rows done and the seconds it took. If some is to be kept when a signal comes, bands are traced
 -- one after the other, and those that are done make a film that is black below.
-exposing :: RunOptions -> Workers -> Scene -> (Int, Int) -> FilePath -> (Film -> Double -> IO ExitStatus) -> IO ExitStatus
+exposing :: RunOptions -> Workers -> Scene -> (Int, Int) -> FilePath -> (Film -> Int -> Double -> IO ExitStatus) -> IO ExitStatus
 exposing how crew scene (first, rows) output finish
   | runKeepPartial how = do
     kept <- newIORef []
+    start <- getMonotonicTime
     let bands = [(from, min bandRows (rows - from)) | from <- [0, bandRows .. rows - 1]]
     outcome <- try . timed . tracking $ \tell -> forM_ bands $ \(from, count) -> do
       band <- exposeRows crew (tell . (from +)) scene (first + from, count)
@@ -231,16 +232,18 @@ exposing how crew scene (first, rows) output finish
         light = Vector.concat (map toPixelVector done ++ [Vector.replicate (3 * width * (rows - rowsDone)) 0])
     case (pixelShape width rows 3 >>= (`fromPixelVector` light), outcome) of
       (Nothing, _) -> untraceable
-      (Just film, Right ((), seconds)) -> finish film seconds
+      (Just film, Right ((), seconds)) ->
+        finish film rows seconds `catch` \stop -> finish film rows seconds >> throwIO (stop :: Stopped)
       (Just film, Left stop)
         | rowsDone > 0 -> do
           hPutStrLn stderr ("blackhole: " ++ output ++ ": " ++ show rowsDone ++ " of " ++ show rows ++ " rows are done, the others stay black")
-          _ <- finish film 0
+          end <- getMonotonicTime
+          _ <- finish film rowsDone (end - start)
           throwIO (stop :: Stopped)
         | otherwise -> throwIO stop
   | otherwise = do
     (exposed, seconds) <- timed (tracking (\tell -> exposeRows crew tell scene (first, rows)))
-    maybe untraceable (`finish` seconds) exposed
+    maybe untraceable (\film -> finish film rows seconds) exposed
   where
     width = pictureWidth (scenePicture scene)
     tracking = withProgress (runProgress how) rows (width * sceneSamples scene)

@@ -6,6 +6,7 @@ module BlackHole.Cli.Signals
   )
 where
 
+import Control.Applicative ((<|>))
 import Control.Concurrent (forkIO, myThreadId, threadDelay)
 import Control.Exception hiding (Handler)
 import qualified Control.Exception as Exception
@@ -44,7 +45,7 @@ stoppable atOnce action = do
   first <- newIORef Nothing
   let stopFor reason = Catch $ do
         now <- getMonotonicTime
-        before <- atomicModifyIORef' first (\seen -> (maybe (Just now) Just seen, seen))
+        before <- atomicModifyIORef' first (\seen -> (seen <|> Just now, seen))
         case before of
           Nothing -> do
             when atOnce . void . forkIO $ do

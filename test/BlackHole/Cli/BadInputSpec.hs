@@ -3,14 +3,22 @@
 module BlackHole.Cli.BadInputSpec (spec) where
 
 import BlackHole.Cli.Help (Entry (..), parserEntries)
+import BlackHole.Cli.Join (openTiles)
 import BlackHole.Cli.Options
+import BlackHole.Cli.Run (run)
 import BlackHole.Cli.SceneOptions
+import BlackHole.Image.File (fileLabel)
+import BlackHole.Image.Label (Label (..))
 import BlackHole.Scene.File.SceneFile (printScene)
 import BlackHole.Scene.Preset (defaultScene)
 import Control.Exception (evaluate)
+import Control.Monad (forM_)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Characters
 import Data.List (intercalate)
+import System.Exit (ExitCode (..))
+import System.FilePath ((</>))
+import System.IO.Temp (withSystemTempDirectory)
 import System.Timeout (timeout)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
@@ -43,6 +51,21 @@ spec = do
       ]
   it "answers an option's value of a million digits within a second" $
     seconds 1 (argumentsAnswer ["render", "--seed", replicate 1000000 '9']) >>= (`shouldSatisfy` maybe False (not . null))
+  it "answers damaged pictures of every format, and damaged tiles" $
+    withSystemTempDirectory "blackhole-spec" $ \folder ->
+      forM_ ["a.png", "a.jpg", "a.tif", "a.hdr", "a.exr", "a.tile"] $ \name -> do
+        run (["render", "--width", "16", "--samples", "1", "--no-disk", "--integrator", "exact", "-o", folder </> name] ++ ["--tile=1/1" | name == "a.tile"])
+          `shouldReturn` ExitSuccess
+        bytes <- Bytes.readFile (folder </> name)
+        forM_ [1 .. 100 :: Int] $ \_ -> do
+          damaged <- generate (mutated bytes)
+          Bytes.writeFile (folder </> "damaged.tile") damaged
+          outcome <-
+            timeout 1000000 $
+              if name == "a.tile"
+                then either length (const 0) <$> openTiles [folder </> "damaged.tile"]
+                else evaluate (maybe 0 (length . fileAnswer . labelScene) (fileLabel damaged))
+          outcome `shouldSatisfy` maybe False (>= 0)
   where
     -- All of the answer is worked out by asking for its length.
     answered answer = ioProperty (maybe False (>= 0) <$> (timeout 1000000 . evaluate . length) answer)
