@@ -2,6 +2,7 @@
 module Main (main) where
 
 import BlackHole.Cli.Run (run)
+import BlackHole.Cli.Signals (stoppable)
 import System.Environment (getArgs)
 import System.Exit (exitWith)
 import System.IO (hSetEncoding, mkTextEncoding, stderr, stdout)
@@ -12,4 +13,7 @@ main = do
   -- outside ASCII: one of its own, or one of an argument that it repeats.
   encoding <- mkTextEncoding "UTF-8//ROUNDTRIP"
   mapM_ (`hSetEncoding` encoding) [stdout, stderr]
-  getArgs >>= run >>= exitWith
+  arguments <- getArgs
+  -- Films give back their claims, and a picture's part may be wanted.
+  let atOnce = take 1 arguments == ["render"] && "--keep-partial" `notElem` arguments
+  stoppable atOnce (run arguments) >>= exitWith

@@ -14,15 +14,20 @@ import qualified BlackHole.Animation.ProgressSpec
 import qualified BlackHole.Animation.QueueSpec
 import qualified BlackHole.Animation.VideoSpec
 import qualified BlackHole.Cli.AnimateSpec
+import qualified BlackHole.Cli.BadInputSpec
 import qualified BlackHole.Cli.ExplainSpec
+import qualified BlackHole.Cli.HelpSpec
 import qualified BlackHole.Cli.JoinSpec
 import qualified BlackHole.Cli.JsonSpec
 import qualified BlackHole.Cli.OptionsSpec
 import qualified BlackHole.Cli.PhotonSpec
 import qualified BlackHole.Cli.PreviewSpec
+import qualified BlackHole.Cli.ProgressSpec
 import qualified BlackHole.Cli.RaysSpec
 import qualified BlackHole.Cli.RunSpec
 import qualified BlackHole.Cli.SelfTestSpec
+import qualified BlackHole.Cli.SoakSpec
+import qualified BlackHole.Cli.StatsSpec
 import qualified BlackHole.Figure.FigureSpec
 import qualified BlackHole.Figure.RasterSpec
 import qualified BlackHole.Figure.RayFanSpec
@@ -112,15 +117,20 @@ main = hspec $ do
   describe "BlackHole.Animation.Queue" BlackHole.Animation.QueueSpec.spec
   describe "BlackHole.Animation.Video" BlackHole.Animation.VideoSpec.spec
   describe "BlackHole.Cli.Animate" BlackHole.Cli.AnimateSpec.spec
+  describe "BlackHole.Cli.BadInput" BlackHole.Cli.BadInputSpec.spec
   describe "BlackHole.Cli.Explain" BlackHole.Cli.ExplainSpec.spec
+  describe "BlackHole.Cli.Help" BlackHole.Cli.HelpSpec.spec
   describe "BlackHole.Cli.Join" BlackHole.Cli.JoinSpec.spec
   describe "BlackHole.Cli.Json" BlackHole.Cli.JsonSpec.spec
   describe "BlackHole.Cli.Options" BlackHole.Cli.OptionsSpec.spec
   describe "BlackHole.Cli.Photon" BlackHole.Cli.PhotonSpec.spec
   describe "BlackHole.Cli.Preview" BlackHole.Cli.PreviewSpec.spec
+  describe "BlackHole.Cli.Progress" BlackHole.Cli.ProgressSpec.spec
   describe "BlackHole.Cli.Rays" BlackHole.Cli.RaysSpec.spec
   describe "BlackHole.Cli.Run" BlackHole.Cli.RunSpec.spec
   describe "BlackHole.Cli.SelfTest" BlackHole.Cli.SelfTestSpec.spec
+  describe "BlackHole.Cli.Soak" BlackHole.Cli.SoakSpec.spec
+  describe "BlackHole.Cli.Stats" BlackHole.Cli.StatsSpec.spec
   describe "BlackHole.Figure.Figure" BlackHole.Figure.FigureSpec.spec
   describe "BlackHole.Figure.Raster" BlackHole.Figure.RasterSpec.spec
   describe "BlackHole.Figure.RayFan" BlackHole.Figure.RayFanSpec.spec

@@ -4,20 +4,25 @@ module BlackHole.Cli.Options
     RenderOptions (..),
     Parsed (..),
     parseArguments,
+    completion,
   )
 where
 
 import BlackHole.Cli.Animate (AnimateOptions, animateOptions)
 import BlackHole.Cli.CodingOptions (codingOptions)
+import BlackHole.Cli.Help
 import BlackHole.Cli.Join (JoinOptions, joinOptions, tilePart)
 import BlackHole.Cli.Photon (PhotonOptions, photonOptions)
 import BlackHole.Cli.Rays (RaysOptions, raysOptions)
 import BlackHole.Cli.Read
+import BlackHole.Cli.RunOptions (RunOptions, runOptions)
 import BlackHole.Cli.SceneCommand (SceneCommand, sceneCommand)
 import BlackHole.Cli.SceneOptions (SceneOptions, sceneOptions)
 import BlackHole.Cli.SelfTest (SelfTestOptions, selfTestOptions)
 import BlackHole.Image.Coding (Coding)
 import BlackHole.Render.Shard (Shard)
+import Data.List (dropWhileEnd, find)
+import Data.Maybe (fromMaybe)
 import Options.Applicative
 import Options.Applicative.Help (renderHelp, unChunk)
 import System.Exit (ExitCode (..))
@@ -52,6 +57,8 @@ data RenderOptions = RenderOptions
     renderThreads :: !(Maybe Int),
     renderPixel :: !(Maybe (Int, Int)),
     renderTile :: !(Maybe Shard),
+    -- | How to go about it.
+    renderRun :: !RunOptions,
     renderOutput :: !FilePath
   }
   deriving (Eq, Show)
@@ -69,65 +76,99 @@ data Parsed
 -- | Read the arguments, given the program's version line.
 parseArguments :: String -> [String] -> Parsed
 parseArguments version arguments =
-  case execParserPure (prefs (columns 100)) (commandLine version) arguments of
-    Success request -> Run request
-    CompletionInvoked _ -> Misused "completion scripts are not available"
+  case execParserPure preferences (commandLine version) arguments of
+    Success (Task task) -> Run task
+    Success (HelpOn Nothing) -> Inform (trimmed (overview commandHelps))
+    Success (HelpOn (Just "man")) -> Inform (trimmed (manualPage (unwords (take 2 (words version))) commandHelps))
+    Success (HelpOn (Just word)) -> either Misused (Inform . trimmed) (helpOn commandHelps word)
+    CompletionInvoked _ -> Misused "completions are not asked for in this way"
     Failure failure -> case execFailure failure "blackhole" of
-      (text, ExitSuccess, width) -> Inform (renderHelp width text)
-      (text, ExitFailure _, _) -> Misused (oneLine text)
+      (text, ExitSuccess, width) -> Inform (fromMaybe (renderHelp width text) ownHelp)
+      (text, ExitFailure _, _) -> Misused (withSuggestion options (map commandName commandHelps) (oneLine text))
   where
     oneLine = unwords . words . maybe "unknown arguments" show . unChunk . helpError
+    trimmed = dropWhileEnd (== '\n')
+    -- A command has no other way to succeed without a result than its help.
+    ownHelp = case arguments of
+      "scene" : _ -> Nothing
+      word : _
+        | Just c <- find ((== word) . commandName) commandHelps -> Just (trimmed (commandText c))
+        | word `elem` ["--help", "-h"] -> Just (trimmed (overview commandHelps))
+      _ -> Nothing
+    options = case arguments of
+      word : _ | Just c <- find ((== word) . commandName) commandHelps -> "--help" : concatMap entryNames (commandEntries c)
+      _ -> ["--help", "--version"]
 
-commandLine :: String -> ParserInfo Command
-commandLine version =
-  info (commands <**> versionOption <**> helper) $
-    fullDesc
-      <> progDesc "Physically exact pictures of a black hole."
-      <> footer "Example: blackhole render --width 1280 -o hole.png"
+-- | What a shell's completion asks for, or a script for it, if the arguments are
+-- such a question: an action that makes the answer.
+completion :: String -> [String] -> Maybe (IO String)
+completion version arguments = case execParserPure preferences (commandLine version) arguments of
+  CompletionInvoked asked -> Just (execCompletion asked "blackhole")
+  _ -> Nothing
+
+preferences :: ParserPrefs
+preferences = prefs (columns 100)
+
+data Request
+  = Task !Command
+  | -- | Help on a command or topic, or on all.
+    HelpOn !(Maybe String)
+
+-- | A command with what is said of it.
+data Described = Described !CommandHelp !(Parser Command)
+
+commandHelps :: [CommandHelp]
+commandHelps = [h | Described h _ <- described]
+
+described :: [Described]
+described =
+  [ describe
+      "render"
+      "Render one picture to a file: of a scene file, if one is given, and with the options in the place of its settings."
+      ["blackhole render --width 1280 --inclination 75 --fov 40 -o hole.png"]
+      (Render <$> renderOptions),
+    describe
+      "join"
+      "Join the tiles of a picture: the file is the one that render would have made without --tile."
+      ["blackhole join big-*.tile -o big.png"]
+      (Join <$> joinOptions),
+    describe
+      "animate"
+      "Render the frames of a scene file with a section animation: those that are missing, stale or damaged, beside any number of other processes."
+      ["blackhole animate scenes/orbit.yaml -o frames/%05d.png --video orbit.mp4"]
+      (Animate <$> animateOptions sceneOptions),
+    describe
+      "scene"
+      "Presets and scene files: list, show, check and print them, or print the schema for editors."
+      ["blackhole scene list", "blackhole scene show report > mine.yaml", "blackhole scene check mine.yaml"]
+      (Scenes <$> sceneCommand),
+    describe
+      "photon"
+      "Report on one light path: where it goes and what it meets. Lengths in Schwarzschild radii, angles in radians."
+      ["blackhole photon --impact 2.65 --json", "blackhole photon --distance 20 --inclination 80 --psi 10 --eta -90"]
+      (Photon <$> photonOptions),
+    describe
+      "rays"
+      "Draw parallel light rays on their way around the hole, as SVG or PNG."
+      ["blackhole rays --rays 41 -o rays.svg"]
+      (Rays <$> raysOptions),
+    describe
+      "selftest"
+      "Hold the program's numbers against known ones, in a few seconds. The exit code is 0 only if all of them are right."
+      ["blackhole selftest"]
+      (SelfTest <$> selfTestOptions)
+  ]
   where
-    commands =
-      hsubparser $
-        command
-          "render"
-          ( info (Render <$> renderOptions) $
-              progDesc "Render one picture to a file: of a scene file, if one is given, and with the options in the place of its settings."
-                <> footer "Example: blackhole render --width 1280 --inclination 75 --fov 40 -o hole.png"
-          )
-          <> command
-            "join"
-            ( info (Join <$> joinOptions) $
-                progDesc "Join the tiles of a picture: the file is the one that render would have made without --tile."
-                  <> footer "Example: blackhole join big-*.tile -o big.png"
-            )
-          <> command
-            "animate"
-            ( info (Animate <$> animateOptions sceneOptions) $
-                progDesc "Render the frames of a scene file with a section animation: those that are missing, stale or damaged, beside any number of other processes."
-                  <> footer "Example: blackhole animate scenes/orbit.yaml -o frames/%05d.png --video orbit.mp4"
-            )
-          <> command
-            "scene"
-            ( info (Scenes <$> sceneCommand) $
-                progDesc "Presets and scene files: list, show, check and print them, or print the schema for editors."
-                  <> footer "Example: blackhole scene show report > mine.yaml"
-            )
-          <> command
-            "photon"
-            ( info (Photon <$> photonOptions) $
-                progDesc "Report on one light path: where it goes and what it meets. Lengths in Schwarzschild radii, angles in radians."
-                  <> footer "Examples: blackhole photon --impact 2.65 --json; blackhole photon --distance 20 --inclination 80 --psi 10 --eta -90"
-            )
-          <> command
-            "rays"
-            ( info (Rays <$> raysOptions) $
-                progDesc "Draw parallel light rays on their way around the hole, as SVG or PNG."
-                  <> footer "Example: blackhole rays --rays 41 -o rays.svg"
-            )
-          <> command
-            "selftest"
-            ( info (SelfTest <$> selfTestOptions) $
-                progDesc "Hold the program's numbers against known ones, in a few seconds. The exit code is 0 only if all of them are right."
-            )
+    describe name summary examples parser = Described (CommandHelp name summary examples (parserEntries parser)) parser
+
+commandLine :: String -> ParserInfo Request
+commandLine version = info (hsubparser (foldMap taskCommand described <> helpCommand) <**> versionOption <**> helper) fullDesc
+  where
+    taskCommand (Described about parser) =
+      command (commandName about) (info (Task <$> parser) (progDesc (commandSummary about)))
+    helpCommand =
+      command "help" . flip info (progDesc "Explain a command or a topic") $
+        HelpOn <$> optional (strArgument (metavar "COMMAND|TOPIC" <> completeWith ("man" : map commandName commandHelps ++ topicNames)))
     versionOption =
       infoOption version (long "version" <> help "Print the version and stop")
 
@@ -141,4 +182,5 @@ renderOptions =
     <*> setting (option wholeNumber (long "threads" <> metavar "N" <> help "Workers (default: one per core); the picture is the same for any number"))
     <*> setting (option pixelPlace (long "pixel" <> metavar "X,Y" <> help "Explain the colour of one pixel instead of rendering; 0,0 is the top left"))
     <*> setting (option tilePart (long "tile" <> metavar "I/N" <> help "Render a band of the picture, part I of N, into a tile file (-o FILE.tile) for blackhole join"))
-    <*> settingOr "blackhole.png" (strOption (long "output" <> short 'o' <> metavar "FILE" <> help "File to write: .png, .jpg, .tif, .hdr or .exr (default: blackhole.png)"))
+    <*> runOptions
+    <*> settingOr "blackhole.png" (strOption (long "output" <> short 'o' <> metavar "FILE" <> action "file" <> help "File to write: .png, .jpg, .tif, .hdr or .exr, or - for a PNG to standard output (default: blackhole.png)"))

@@ -12,13 +12,18 @@ import BlackHole.Cli.Animate
 import BlackHole.Cli.Explain (explanationLines, pixelProblems)
 import BlackHole.Cli.FilmScene (loadFilm)
 import BlackHole.Cli.Join
+import BlackHole.Cli.Memory
 import BlackHole.Cli.Options
 import BlackHole.Cli.Photon
 import BlackHole.Cli.Preview
-import BlackHole.Cli.Rays
+import BlackHole.Cli.Progress (withProgress)
+import BlackHole.Cli.Rays hiding (Png)
+import BlackHole.Cli.RunOptions
 import BlackHole.Cli.SceneCommand (SceneCommand (..), sceneText)
 import BlackHole.Cli.SceneOptions
 import BlackHole.Cli.SelfTest (runSelfTest)
+import BlackHole.Cli.Signals (Stopped)
+import BlackHole.Cli.Stats
 import BlackHole.Image.AtomicFile
 import BlackHole.Image.Coding
 import BlackHole.Image.File (fileLabel)
@@ -27,7 +32,8 @@ import BlackHole.Image.Label
 import BlackHole.Image.TileFile
 import BlackHole.Render.Bloom
 import BlackHole.Render.Film
-import BlackHole.Render.PixelArray (backendName)
+import BlackHole.Render.PixelArray (backendName, fromPixelVector, pixelArrayShape, toPixelVector)
+import BlackHole.Render.PixelShape (pixelShape, shapeHeight)
 import BlackHole.Render.Shard (shardRows)
 import BlackHole.Render.Workers
 import BlackHole.Scene.Camera (Picture (..))
@@ -37,17 +43,20 @@ import BlackHole.Scene.Validate
 import BlackHole.SelfTest.Check (Check, checkHolds)
 import BlackHole.Trace.Explain (explainPixel)
 import Control.Applicative ((<|>))
-import Control.Exception (IOException, SomeAsyncException (..), SomeException, displayException, fromException, throwIO, try)
-import Control.Monad (void, when)
+import Control.Exception (IOException, SomeAsyncException (..), SomeException, catch, displayException, evaluate, fromException, throwIO, try)
+import Control.Monad (forM_, void, when)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
+import Data.IORef
 import Data.List (intercalate)
+import qualified Data.Vector.Storable as Vector
 import Data.Version (showVersion)
+import GHC.Clock (getMonotonicTime)
 import qualified Paths_blackhole as Package
 import qualified System.Console.Terminal.Size as Terminal
 import System.Environment (getEnvironment)
 import System.Exit (ExitCode (..))
-import System.IO (IOMode (ReadMode), hIsTerminalDevice, hPutStr, hPutStrLn, stderr, stdout, withBinaryFile)
+import System.IO (IOMode (ReadMode), hFlush, hIsTerminalDevice, hPutStrLn, hSetBinaryMode, stderr, stdout, withBinaryFile)
 import System.IO.Error (ioeGetErrorString)
 import System.Info (compilerName, compilerVersion)
 
@@ -98,16 +107,18 @@ run arguments = do
       | otherwise -> exitCode <$> complain InternalFault (unwords (lines (displayException (failure :: SomeException))))
 
 dispatch :: [String] -> IO ExitStatus
-dispatch arguments = case parseArguments versionLine arguments of
-  Inform text -> Done <$ putStrLn text
-  Misused line -> complain UsageError (line ++ " (see: blackhole --help)")
-  Run (Render options) -> render options
-  Run (Join options) -> join options
-  Run (Animate options) -> animate options
-  Run (Scenes task) -> scenes task
-  Run (Photon options) -> photon options
-  Run (Rays options) -> rays options
-  Run (SelfTest options) -> selfTestStatus <$> runSelfTest options
+dispatch arguments
+  | Just answer <- completion versionLine arguments = Done <$ (answer >>= putStr)
+  | otherwise = case parseArguments versionLine arguments of
+    Inform text -> Done <$ putStrLn text
+    Misused line -> complain UsageError (line ++ " (see: blackhole --help)")
+    Run (Render options) -> render options
+    Run (Join options) -> join options
+    Run (Animate options) -> animate options
+    Run (Scenes task) -> scenes task
+    Run (Photon options) -> photon options
+    Run (Rays options) -> rays options
+    Run (SelfTest options) -> selfTestStatus <$> runSelfTest options
 
 -- | A check that does not hold is a fault of the program.
 selfTestStatus :: [Check] -> ExitStatus
@@ -150,24 +161,29 @@ render options
           problems -> complainAll BadInput problems
         | renderPreview options -> withCrew (`preview` scene)
         | Just part <- renderTile options -> case tileProblems part (scenePicture scene) of
-          [] -> ready (\crew -> tileTo crew part scene)
+          [] -> ready scene (snd (shardRows part (pictureHeight (scenePicture scene)))) (\crew -> tileTo crew part scene)
           problems -> complainAll UsageError problems
-        | otherwise -> case formatOf output of
+        | otherwise -> case outputFormat output of
           Just format -> case codingProblems format coding of
-            [] -> ready (\crew -> renderTo crew format coding scene)
+            [] -> ready scene (pictureHeight (scenePicture scene)) (\crew -> renderTo crew format coding scene)
             problems -> complainAll UsageError problems
           Nothing -> complainAll UsageError [unknownExtension]
   where
     output = renderOutput options
     withCrew = inCrew (renderThreads options)
-    ready action = do
-      writable <- checkWritable output
-      case writable of
-        Left problem -> complain CannotWrite ("--output: " ++ renderWriteProblem problem)
-        Right () -> withCrew action
+    ready scene rows action = do
+      lacking <- memoryProblem scene rows
+      outputProblem <- outputFault output
+      statsProblem <- maybe (pure (Right ())) checkWritable (runStats how)
+      case (lacking, outputProblem, statsProblem) of
+        (Just line, _, _) -> complain BadInput line
+        (_, Just line, _) -> complain CannotWrite ("--output: " ++ line)
+        (_, _, Left problem) -> complain CannotWrite ("--stats: " ++ renderWriteProblem problem)
+        _ -> withCrew action
+    how = renderRun options
     unknownExtension = unknownExtensionOf output
     usageProblems =
-      (if null (renderTile options) then [unknownExtension | Nothing <- [formatOf output]] else tileNameProblems output)
+      (if null (renderTile options) then [unknownExtension | Nothing <- [outputFormat output]] else tileNameProblems output)
         ++ [ Problem "--threads" (show n) ("a whole number from 1 to " ++ show maximumWorkers)
              | Just n <- [renderThreads options],
                Nothing <- [workers n]
@@ -177,23 +193,82 @@ render options
                Just _ <- [sceneFile (renderScene options)]
            ]
     renderTo crew format coding scene = do
-      interactive <- hIsTerminalDevice stderr
       let rows = pictureHeight (scenePicture scene)
-      exposed <- exposeFilm crew (if interactive then tellProgress rows else const (pure ())) scene
-      case exposed of
-        Nothing -> untraceable
-        Just film -> do
-          warnOfFaults 0 film
-          finishFilm crew programName format coding scene [] film >>= maybe (complain CannotWrite (noRoom output)) (store output)
+      exposing how crew scene (0, rows) output $ \film done seconds ->
+        finishing crew scene (0, done) film seconds (finishFilm crew programName format coding scene [] film) (noRoom output)
     tileTo crew part scene = do
-      interactive <- hIsTerminalDevice stderr
-      let (first, rows) = shardRows part (pictureHeight (scenePicture scene))
-      exposed <- exposeRows crew (if interactive then tellProgress rows else const (pure ())) scene (first, rows)
-      case exposed of
-        Nothing -> untraceable
-        Just band -> do
-          warnOfFaults first band
-          maybe untraceable (store output) (encodeTile (tileHeader programName part scene) band)
+      let band = shardRows part (pictureHeight (scenePicture scene))
+      exposing how {runKeepPartial = False} crew scene band output $ \film _ seconds ->
+        finishing crew scene band film seconds (pure (encodeTile (tileHeader programName part scene) film)) "the tile can't be coded"
+    finishing crew scene band film traced encoded refusal = do
+      faults <- warnOfFaults (fst band) film
+      if runStrict how && fst faults > 0
+        then complain InternalFault "--strict: no file is written because of them"
+        else do
+          (bytes, developing) <- timed (encoded >>= traverse (\b -> b <$ evaluate (Lazy.length b)))
+          (status, writing) <- timed (maybe (complain CannotWrite refusal) (store output) bytes)
+          memory <- peakMemory
+          let stats = Stats versionLine scene crew band traced developing writing memory faults
+          case runStats how of
+            Just file | status == Done -> do
+              written <- writeFileAtomically file (statsText stats)
+              either (complain CannotWrite . ("--stats: " ++) . renderWriteProblem) (const (pure Done)) written
+            _ -> pure status
+
+-- | Trace rows of a scene, tell how far that is, and go on with the film, the
+-- number of rows done and the seconds it took. If some is to be kept when a signal comes, bands are traced
+-- one after the other, and those that are done make a film that is black below.
+exposing :: RunOptions -> Workers -> Scene -> (Int, Int) -> FilePath -> (Film -> Int -> Double -> IO ExitStatus) -> IO ExitStatus
+exposing how crew scene (first, rows) output finish
+  | runKeepPartial how = do
+    kept <- newIORef []
+    start <- getMonotonicTime
+    let bands = [(from, min bandRows (rows - from)) | from <- [0, bandRows .. rows - 1]]
+    outcome <- try . timed . tracking $ \tell -> forM_ bands $ \(from, count) -> do
+      band <- exposeRows crew (tell . (from +)) scene (first + from, count)
+      modifyIORef' kept (maybe id (:) band)
+    done <- reverse <$> readIORef kept
+    let rowsDone = sum (map (shapeHeight . pixelArrayShape) done)
+        light = Vector.concat (map toPixelVector done ++ [Vector.replicate (3 * width * (rows - rowsDone)) 0])
+    case (pixelShape width rows 3 >>= (`fromPixelVector` light), outcome) of
+      (Nothing, _) -> untraceable
+      (Just film, Right ((), seconds)) ->
+        finish film rows seconds `catch` \stop -> finish film rows seconds >> throwIO (stop :: Stopped)
+      (Just film, Left stop)
+        | rowsDone > 0 -> do
+          hPutStrLn stderr ("blackhole: " ++ output ++ ": " ++ show rowsDone ++ " of " ++ show rows ++ " rows are done, the others stay black")
+          end <- getMonotonicTime
+          _ <- finish film rowsDone (end - start)
+          throwIO (stop :: Stopped)
+        | otherwise -> throwIO stop
+  | otherwise = do
+    (exposed, seconds) <- timed (tracking (\tell -> exposeRows crew tell scene (first, rows)))
+    maybe untraceable (\film -> finish film rows seconds) exposed
+  where
+    width = pictureWidth (scenePicture scene)
+    tracking = withProgress (runProgress how) rows (width * sceneSamples scene)
+    -- Enough to keep all workers busy, and at most some thirty bands.
+    bandRows = max (4 * workersCount crew) ((rows + 31) `quot` 32)
+
+-- | An action's result and the seconds it took.
+timed :: IO a -> IO (a, Double)
+timed work = do
+  start <- getMonotonicTime
+  result <- work
+  end <- getMonotonicTime
+  pure (result, end - start)
+
+-- | The format that a file's name asks for; standard output gets a PNG.
+outputFormat :: FilePath -> Maybe Format
+outputFormat "-" = Just Png
+outputFormat name = formatOf name
+
+-- | Why a picture can't be written there, as far as that is known beforehand.
+outputFault :: FilePath -> IO (Maybe String)
+outputFault "-" = do
+  terminal <- hIsTerminalDevice stdout
+  pure (if terminal then Just "standard output is a terminal; send it to a file or a program" else Nothing)
+outputFault name = either (Just . renderWriteProblem) (const Nothing) <$> checkWritable name
 
 -- | Run an action with as many workers as were asked for.
 inCrew :: Maybe Int -> (Workers -> IO a) -> IO a
@@ -203,6 +278,12 @@ inCrew threads action = do
 
 -- | Write the file that @--output@ names.
 store :: FilePath -> Lazy.ByteString -> IO ExitStatus
+store "-" bytes = do
+  hSetBinaryMode stdout True
+  outcome <- try (Lazy.hPut stdout bytes >> hFlush stdout)
+  case outcome of
+    Left failure -> complain CannotWrite ("--output: cannot write to standard output: " ++ ioeGetErrorString (failure :: IOException))
+    Right () -> pure Done
 store output bytes = writeFileAtomically output bytes >>= stored
 
 stored :: Either WriteProblem () -> IO ExitStatus
@@ -308,7 +389,7 @@ preview crew scene = do
   case exposed of
     Nothing -> untraceable
     Just film -> do
-      warnOfFaults 0 film
+      _ <- warnOfFaults 0 film
       bloomed <- bloomFilm crew (sceneBloom scene) film
       codes <- developFilm crew (sceneExposure scene) (sceneToneMap scene) (sceneDither scene) bloomed
       Done <$ putStr (previewText (palette isTerminal environment) codes)
@@ -318,11 +399,13 @@ untraceable = complain InternalFault "the scene passed its checks but can't be t
 
 -- | Warn of pixels without light that could be shown, in a film whose first row is
 -- this one of the picture.
-warnOfFaults :: Int -> Film -> IO ()
+-- Their number and the first one's column and row in the picture.
+warnOfFaults :: Int -> Film -> IO (Int, Maybe (Int, Int))
 warnOfFaults first film = case faultyPixels film of
-  (n, Just (x, y)) ->
+  (n, Just (x, y)) -> do
     hPutStrLn stderr ("blackhole: warning: " ++ show n ++ " pixels have no finite radiance, the first at " ++ show x ++ "," ++ show (first + y))
-  _ -> pure ()
+    pure (n, Just (x, first + y))
+  _ -> pure (0, Nothing)
 
 -- | Something about scenes, on standard output.
 scenes :: SceneCommand -> IO ExitStatus
@@ -340,12 +423,6 @@ explain :: Scene -> (Int, Int) -> IO ExitStatus
 explain scene (x, y) = case explainPixel scene x y of
   Just explanation -> Done <$ mapM_ putStrLn (explanationLines scene explanation)
   Nothing -> untraceable
-
--- | How much is done, on one line that is cleared at the end.
-tellProgress :: Int -> Int -> IO ()
-tellProgress rows done
-  | done >= rows = hPutStr stderr "\r\ESC[K"
-  | otherwise = hPutStr stderr ("\rrendering: " ++ show (100 * done `quot` rows) ++ " %")
 
 complainAll :: ExitStatus -> [Problem] -> IO ExitStatus
 complainAll status problems = status <$ mapM_ (complain status . renderProblem) problems

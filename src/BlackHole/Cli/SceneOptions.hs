@@ -39,8 +39,8 @@ data SceneOptions = SceneOptions
 sceneOptions :: Parser SceneOptions
 sceneOptions =
   SceneOptions
-    <$> optional (strArgument (metavar "SCENE.yaml" <> help "Scene file to start from; the options count more than it does"))
-    <*> setting (strOption (long "preset" <> metavar "NAME" <> help ("Scene to start from: " ++ intercalate ", " presetNames ++ " (default: default)")))
+    <$> optional (strArgument (metavar "SCENE.yaml" <> action "file" <> help "Scene file to start from; the options count more than it does"))
+    <*> setting (strOption (long "preset" <> metavar "NAME" <> completeWith presetNames <> help ("Scene to start from: " ++ intercalate ", " presetNames ++ " (default: default)")))
     <*> (catMaybes <$> traverse fieldSetting sceneFields)
 
 fieldSetting :: Field -> Parser (Maybe Setting)
@@ -49,9 +49,16 @@ fieldSetting field = fmap (Setting (fieldPath field)) <$> given
     given = case fieldOption field of
       Nothing -> pure Nothing
       Just (Takes name placeholder) ->
-        setting (option (valueOf (fieldKind field)) (long name <> metavar placeholder <> help (fieldDoc field)))
+        setting (option (valueOf (fieldKind field)) (long name <> metavar placeholder <> completeWith (valueNames (fieldKind field)) <> help (fieldDoc field)))
       Just (Sets name v text) ->
         (\on -> if on then Just v else Nothing) <$> toggle (long name <> help text)
+
+-- | The values of a kind that has few, for completion.
+valueNames :: Kind -> [String]
+valueNames kind = case kind of
+  ChoiceKind _ choices -> map fst choices
+  SwitchKind -> ["on", "off"]
+  _ -> []
 
 valueOf :: Kind -> ReadM Value
 valueOf kind = eitherReader $ \s ->

@@ -1,0 +1,69 @@
+-- | What a rendering took, for @--stats@.
+module BlackHole.Cli.Stats
+  ( Stats (..),
+    statsText,
+  )
+where
+
+import BlackHole.Cli.Json
+import BlackHole.Render.Workers (Workers, workersCount)
+import BlackHole.Scene.Camera (Picture (..))
+import BlackHole.Scene.File.SceneFile (printScene)
+import BlackHole.Scene.Scene
+import qualified Crypto.Hash.SHA256 as SHA256
+import qualified Data.ByteString as Bytes
+import qualified Data.ByteString.Builder as Builder
+import qualified Data.ByteString.Lazy as Lazy
+import Numeric (showHex)
+
+-- | Measurements of one rendering.
+data Stats = Stats
+  { statsVersion :: !String,
+    statsScene :: !Scene,
+    statsWorkers :: !Workers,
+    -- | The first row and the number of rows.
+    statsRows :: !(Int, Int),
+    -- | Seconds from the beginning of tracing to its end.
+    statsTrace :: !Double,
+    -- | Seconds for bloom, development and coding, which run into each other.
+    statsDevelop :: !Double,
+    statsWrite :: !Double,
+    -- | Bytes, where the system tells them.
+    statsPeakMemory :: !(Maybe Integer),
+    -- | Pixels without finite radiance, and the first of them.
+    statsFaults :: !(Int, Maybe (Int, Int))
+  }
+
+-- | One JSON object. Numbers that the tracer does not count are @null@. The hash
+-- is SHA-256 of the whole scene as the program prints it.
+statsText :: Stats -> Lazy.ByteString
+statsText s =
+  Builder.toLazyByteString . Builder.stringUtf8 . renderJson $
+    Object
+      [ ("version", Text (statsVersion s)),
+        ("scene_sha256", Text (hash (printScene [] scene))),
+        -- As text: readers of JSON may not hold 64 bits.
+        ("seed", Text (show (sceneSeed scene))),
+        ("width", Whole width),
+        ("height", Whole height),
+        ("first_row", Whole (fst (statsRows s))),
+        ("rows", Whole rows),
+        ("workers", Whole (workersCount (statsWorkers s))),
+        ("samples_per_pixel", Whole (sceneSamples scene)),
+        ("rays", Whole rays),
+        ("steps", Null),
+        ("gas_samples", Null),
+        ("rays_per_second", if statsTrace s > 0 then Number (fromIntegral rays / statsTrace s) else Null),
+        ("seconds", Object [("trace", Number (statsTrace s)), ("develop_and_encode", Number (statsDevelop s)), ("write", Number (statsWrite s))]),
+        ("peak_memory_bytes", maybe Null (Whole . fromInteger) (statsPeakMemory s)),
+        ("not_finite_pixels", Whole (fst (statsFaults s))),
+        ("first_not_finite_pixel", maybe Null (\(x, y) -> List [Whole x, Whole y]) (snd (statsFaults s))),
+        ("error_bounds", Text "docs/validation.md")
+      ]
+  where
+    scene = statsScene s
+    Picture width height = scenePicture scene
+    rows = snd (statsRows s)
+    rays = width * rows * sceneSamples scene
+    hash text = concatMap twoDigits (Bytes.unpack (SHA256.hashlazy (Builder.toLazyByteString (Builder.stringUtf8 text))))
+    twoDigits b = (if b < 16 then "0" else "") ++ showHex b ""

@@ -1,0 +1,106 @@
+-- | Random and hostile arguments and scene files: an answer within a second,
+-- and never a crash.
+module BlackHole.Cli.BadInputSpec (spec) where
+
+import BlackHole.Cli.Help (Entry (..), parserEntries)
+import BlackHole.Cli.Join (openTiles)
+import BlackHole.Cli.Options
+import BlackHole.Cli.Run (run)
+import BlackHole.Cli.SceneOptions
+import BlackHole.Image.File (fileLabel)
+import BlackHole.Image.Label (Label (..))
+import BlackHole.Scene.File.SceneFile (printScene)
+import BlackHole.Scene.Preset (defaultScene)
+import Control.Exception (evaluate)
+import Control.Monad (forM_)
+import qualified Data.ByteString as Bytes
+import qualified Data.ByteString.Char8 as Characters
+import Data.List (intercalate)
+import System.Exit (ExitCode (..))
+import System.FilePath ((</>))
+import System.IO.Temp (withSystemTempDirectory)
+import System.Timeout (timeout)
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess)
+import Test.QuickCheck
+
+spec :: Spec
+spec = do
+  modifyMaxSuccess (const 2000) $ do
+    it "answers any list of arguments" . property . forAll (listOf word) $ answered . argumentsAnswer
+    it "answers any arguments of a command" . property . forAll ((:) <$> elements commands <*> listOf word) $ answered . argumentsAnswer
+  modifyMaxSuccess (const 500) $ do
+    it "answers any bytes as a scene file" . property . forAll (listOf arbitrary) $ answered . fileAnswer . Bytes.pack
+    it "answers a scene file with bytes changed, lost and added" . property . forAll (mutated sceneBytes) $ answered . fileAnswer
+  describe "answers within a second" $
+    mapM_
+      (\(name, bytes) -> it name (seconds 1 (fileAnswer bytes) >>= (`shouldSatisfy` maybe False (not . null))))
+      [ ("90000 unknown keys", lined ["k" ++ show n ++ ": 1" | n <- [1 .. 90000 :: Int]]),
+        ("one key 90000 times", lined (replicate 90000 "seed: 1")),
+        ("30000 small groups", lined ["g" ++ show n ++ ": {a: {b: 1}}" | n <- [1 .. 30000 :: Int]]),
+        ("300000 list items", Characters.pack ("camera: [" ++ intercalate "," (replicate 300000 "1") ++ "]")),
+        ("a list in lists, 100000 deep", Characters.replicate 100000 '['),
+        ("groups in groups, 500000 deep", Characters.concat (replicate 250000 (Characters.pack "{a: "))),
+        ("aliases that double", lined ("a0: &a0 [1,1]" : ["a" ++ show n ++ ": &a" ++ show n ++ " [*a" ++ show (n - 1) ++ ",*a" ++ show (n - 1) ++ "]" | n <- [1 .. 40 :: Int]])),
+        ("a megabyte of one word", Characters.replicate 1048576 'x'),
+        ("a megabyte of one key", Characters.replicate 1048570 'x' <> Characters.pack ": 1"),
+        ("a number of a million digits", Characters.pack "camera: {distance: " <> Characters.replicate 1000000 '9' <> Characters.pack "}"),
+        ("a number with a vast exponent", Characters.pack "camera: {distance: 1e999999999}"),
+        ("more bytes than a file may have", Characters.replicate 2000000 ' '),
+        ("NUL bytes", Bytes.replicate 1000 0)
+      ]
+  it "answers an option's value of a million digits within a second" $
+    seconds 1 (argumentsAnswer ["render", "--seed", replicate 1000000 '9']) >>= (`shouldSatisfy` maybe False (not . null))
+  it "answers damaged pictures of every format, and damaged tiles" $
+    withSystemTempDirectory "blackhole-spec" $ \folder ->
+      forM_ ["a.png", "a.jpg", "a.tif", "a.hdr", "a.exr", "a.tile"] $ \name -> do
+        run (["render", "--width", "16", "--samples", "1", "--no-disk", "--integrator", "exact", "-o", folder </> name] ++ ["--tile=1/1" | name == "a.tile"])
+          `shouldReturn` ExitSuccess
+        bytes <- Bytes.readFile (folder </> name)
+        forM_ [1 .. 100 :: Int] $ \_ -> do
+          damaged <- generate (mutated bytes)
+          Bytes.writeFile (folder </> "damaged.tile") damaged
+          outcome <-
+            timeout 1000000 $
+              if name == "a.tile"
+                then either length (const 0) <$> openTiles [folder </> "damaged.tile"]
+                else evaluate (maybe 0 (length . fileAnswer . labelScene) (fileLabel damaged))
+          outcome `shouldSatisfy` maybe False (>= 0)
+  where
+    -- All of the answer is worked out by asking for its length.
+    answered answer = ioProperty (maybe False (>= 0) <$> (timeout 1000000 . evaluate . length) answer)
+    seconds n answer = timeout (n * 1000000) (answer <$ evaluate (length answer))
+    argumentsAnswer arguments = case parseArguments "v" arguments of
+      Run (Render options) -> either unlines show (resolveScene (renderScene options) Nothing)
+      other -> show other
+    fileAnswer bytes = either unlines show (resolveScene (SceneOptions (Just "a.yaml") Nothing []) (Just bytes))
+    lined = Characters.pack . unlines
+    sceneBytes = Characters.pack (printScene [] defaultScene)
+    commands = ["render", "join", "animate", "scene", "photon", "rays", "selftest", "help"]
+    known = concatMap entryNames (parserEntries sceneOptions) ++ ["-o", "--output", "--bits", "--from", "--tile", "--pixel", "--progress", "--help", "--", "-", "--impact", "--psi"]
+    word =
+      frequency
+        [ (6, elements known),
+          (1, elements commands),
+          (1, (\name value -> name ++ "=" ++ value) <$> elements known <*> anyValue),
+          (5, anyValue),
+          (1, arbitrary)
+        ]
+    anyValue =
+      oneof
+        [ elements ["", "0", "-1", "NaN", "Infinity", "1e400", "-1e-400", "1,2,3", "1,2", "0,0,0", ",,,", "on", "OFF", "grid", "film", "1/3", "3/1", "0x10", "99999999999999999999", "\xfffd\&", "\0", "%s%n", "../..", "-"],
+          show <$> (arbitrary :: Gen Double),
+          show <$> (arbitrary :: Gen Int),
+          arbitrary
+        ]
+    mutated bytes = do
+      count <- choose (1, 8 :: Int)
+      go count bytes
+    go 0 bytes = pure bytes
+    go n bytes = do
+      at <- choose (0, Bytes.length bytes)
+      let (start, end) = Bytes.splitAt at bytes
+      byte <- oneof [arbitrary, Bytes.head . Characters.pack . pure <$> elements "{}[]:,&*!|>'\"%@`#-\n\t "]
+      lost <- choose (0, 40)
+      changed <- elements [start <> Bytes.cons byte end, start <> Bytes.cons byte (Bytes.drop 1 end), start <> Bytes.drop lost end, start]
+      go (n - 1) changed
