@@ -22,6 +22,7 @@ import BlackHole.Render.PixelShape
 import BlackHole.Render.Workers (Workers)
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
+import BlackHole.Trace.Adaptive
 import BlackHole.Trace.Estimate
 import BlackHole.Trace.Pixel
 import Control.Monad (when)
@@ -51,7 +52,7 @@ exposeRows workers progress scene (first, rows)
   | otherwise = case (,,) <$> pixelShape width rows 3 <*> pixelShape width haloRows sumCount <*> tracer scene of
     Nothing -> pure Nothing
     Just (shape, haloShape, traced)
-      | sceneNoise scene > 0 -> do
+      | mostSamples scene > sceneSamples scene -> do
         sums <- generateRows workers (progress . (`quot` 2)) haloShape (sumRow traced width . (haloFirst +))
         Just <$> generateRows workers (progress . quot' . (rows +)) shape (refineRow traced width haloFirst sums . (first +))
       | otherwise -> Just <$> generateRows workers progress shape (traceRow traced width . (first +))
@@ -103,42 +104,23 @@ writeRadiance pixels column (Radiance r g b) = do
 -- | Keep the sums of the first samples of one row.
 sumRow :: Tracer -> Int -> Int -> MVector s Float -> ST s ()
 sumRow traced !width !row sums =
-  forThrees width (firstSamples traced width row) $ \column (Estimate _ (Radiance r g b) (Radiance r' g' b') weight seen square) ->
-    for_ (zip [0 ..] [r, g, b, r', g', b', weight, seen, square]) $ \(k, v) ->
+  forThrees width (firstSamples traced width row) $ \column estimate ->
+    for_ (zip [0 ..] (estimateSums estimate)) $ \(k, v) ->
       MVector.unsafeWrite sums (sumCount * column + k) (realToFrac v)
 
 -- | Numbers of an estimate without its count, which is the same everywhere.
 sumCount :: Int
 sumCount = 9
 
--- | Finish one row: more samples for pixels that are uncertain or have uncertain
--- neighbours, twice as many each time, until they are certain or have the most.
+-- | Finish one row, given the first sums and the number of their first row.
 refineRow :: Tracer -> Int -> Int -> PixelArray Float -> Int -> MVector s Float -> ST s ()
 refineRow traced !width !sumsFirst sums !row pixels = for_ [0 .. width - 1] $ \column ->
-  writeRadiance pixels column . estimatedRadiance $
-    let here = estimateAt column row
-     in if or [estimatedError (estimateAt c r) > target | r <- [row - 1 .. row + 1], c <- [column - 1 .. column + 1]]
-          then refined column (sceneSamples scene) here
-          else here
+  writeRadiance pixels column (estimatedRadiance (refinedEstimate traced first column row))
   where
-    scene = tracedScene traced
-    target = sceneNoise scene
-    most = mostSamples scene
-    Picture _ height = scenePicture scene
-    refined column count estimate
-      | count >= most = estimate
-      | estimatedError more > target = refined column count' more
-      | otherwise = more
-      where
-        count' = min most (max (count + 4) (2 * count))
-        more = addSamples traced count count' estimate column row
-    estimateAt c r
-      | c < 0 || r < 0 || c >= width || r >= height = noSamples
-      | otherwise = case pixelChannels sums c (r - sumsFirst) of
-        Just v ->
-          let at k = realToFrac (Vector.unsafeIndex v k)
-           in Estimate (sceneSamples scene) (Radiance (at 0) (at 1) (at 2)) (Radiance (at 3) (at 4) (at 5)) (at 6) (at 7) (at 8)
-        Nothing -> noSamples
+    count = sceneSamples (tracedScene traced)
+    first c r = case pixelChannels sums c (r - sumsFirst) of
+      Just v -> estimateFromSums count (realToFrac . Vector.unsafeIndex v)
+      Nothing -> noSamples
 
 -- | What an 8-bit sRGB display is told: exposure, tone map, coding and dither.
 developFilm :: Workers -> Exposure -> ToneMap -> Dither -> Film -> IO (PixelArray Word8)

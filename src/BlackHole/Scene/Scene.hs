@@ -91,8 +91,9 @@ sceneRegion scene = maybe emptyRegion (diskRegion fineness) (sceneDisk scene)
       Exact -> Fine
       Leapfrogging -> Fine
 
--- | The most rays that any pixel can get.
+-- | The most rays that any pixel can get. A single one tells nothing about its
+-- uncertainty.
 mostSamples :: Scene -> Int
 mostSamples scene
-  | sceneNoise scene > 0 = max (sceneSamples scene) (sceneMostSamples scene)
+  | sceneNoise scene > 0 && sceneSamples scene > 1 = max (sceneSamples scene) (sceneMostSamples scene)
   | otherwise = sceneSamples scene

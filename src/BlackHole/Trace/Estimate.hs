@@ -5,6 +5,9 @@ module BlackHole.Trace.Estimate
     addSample,
     estimatedRadiance,
     estimatedError,
+    estimateSums,
+    estimateFromSums,
+    asStored,
   )
 where
 
@@ -64,3 +67,22 @@ estimatedError (Estimate n _ _ _ seen square)
   | otherwise = sqrt (max 0 (square - seen * seen / count) / (count * (count - 1)))
   where
     count = fromIntegral n
+
+-- | Its sums in an order, without the count.
+estimateSums :: Estimate -> [Double]
+estimateSums (Estimate _ (Radiance r g b) (Radiance r' g' b') weights seen square) =
+  [r, g, b, r', g', b', weights, seen, square]
+
+-- | From the count and a function from the place in 'estimateSums' to the sum.
+estimateFromSums :: Int -> (Int -> Double) -> Estimate
+estimateFromSums n at =
+  Estimate n (Radiance (at 0) (at 1) (at 2)) (Radiance (at 3) (at 4) (at 5)) (at 6) (at 7) (at 8)
+
+-- | What a film of single precision keeps of it.
+asStored :: Estimate -> Estimate
+asStored estimate = case map single (estimateSums estimate) of
+  [r, g, b, r', g', b', weights, seen, square] ->
+    Estimate (estimateCount estimate) (Radiance r g b) (Radiance r' g' b') weights seen square
+  _ -> estimate
+  where
+    single v = realToFrac (realToFrac v :: Float)

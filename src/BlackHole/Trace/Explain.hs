@@ -21,6 +21,8 @@ import BlackHole.Physics.Observer (SightLine (..))
 import BlackHole.Physics.Photon (angularMomentum)
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
+import BlackHole.Trace.Adaptive
+import BlackHole.Trace.Estimate
 import BlackHole.Trace.Gas
 import BlackHole.Trace.Pixel
 import BlackHole.Trace.PlaneCrossing
@@ -101,14 +103,15 @@ explainPixel scene column row
   | column < 0 || row < 0 || column >= width || row >= height = Nothing
   | otherwise = do
     traced <- tracer scene
-    let radiance = pixelRadiance traced column row
+    let estimate = pixelEstimate traced column row
+        radiance = estimatedRadiance estimate
     pure
       Explanation
         { explainedPixel = (column, row),
           explainedMiddle = sighting scene traced (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)),
           explainedSamples =
             [ sighting scene traced (samplePlace (samplePoint scene column row index))
-              | index <- [0 .. sceneSamples scene - 1]
+              | index <- [0 .. estimateCount estimate - 1]
             ],
           explainedRadiance = radiance,
           explainedShown = shownAs scene column row radiance

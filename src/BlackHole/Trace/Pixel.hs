@@ -7,7 +7,6 @@
 module BlackHole.Trace.Pixel
   ( Tracer,
     tracer,
-    pixelRadiance,
     addSamples,
     addSamplesToThree,
     sightRadiance,
@@ -140,12 +139,6 @@ followLight traced point sight = case (sceneIntegrator scene, tracerMatter trace
 -- another sees. (The additive recurrence of the plastic number.)
 stepPhase :: XY -> Double
 stepPhase (XY x y) = 0.5 + turnFraction (0.7548776662466927 * x + 0.5698402909980532 * y)
-
--- | Mean radiance of a pixel (column and row from the top left, from 0) over
--- its samples. Depends on the scene and the pixel alone.
-pixelRadiance :: Tracer -> Int -> Int -> Radiance
-pixelRadiance traced column row =
-  estimatedRadiance (addSamples traced 0 (sceneSamples (tracerScene traced)) noSamples column row)
 
 -- | @addSamples traced from to estimate column row@: the estimate with the
 -- pixel's samples from one number up to another, which is left out.

@@ -56,7 +56,7 @@ spec = do
     misused ["render", "one.yaml", "stray"] ["stray"]
   it "an unknown preset is told with the nearest name" $
     scene ["--preset", "reprot"]
-      `shouldBe` Left ["--preset: reprot is not a preset (did you mean report?); there are: default, report"]
+      `shouldBe` Left ["--preset: reprot is not a preset (did you mean report?); there are: default, report, interstellar, edge-on, face-on, luminet, lens-only, photon-ring, falling"]
   it "two ways to place the camera clash" $
     scene ["--camera", "0,1,9", "--distance", "4"]
       `shouldBe` Left ["--camera: together with --distance, --inclination or --azimuth is not one way to place the camera; choose either"]

@@ -56,7 +56,7 @@ spec = do
     it "are told all at once, with line, path and nearest key" $
       parse "preset: reprot\nimage: {width: many}\ndisk:\n  iner-radius: 3\n  thickness: 1000\n  arms: 3\n  opacity: \"3\"\ninclination: 30\ncamera:\n  position: [0, 1]\n  roll: 3\n  roll: 4\n"
         `shouldBe` Left
-          [ "s.yaml:1: preset: 'reprot' is not a preset (did you mean report?); there are: default, report",
+          [ "s.yaml:1: preset: 'reprot' is not a preset (did you mean report?); there are: default, report, interstellar, edge-on, face-on, luminet, lens-only, photon-ring, falling",
             "s.yaml:2: image.width: 'many' is not a whole number",
             "s.yaml:4: disk.iner-radius: 'iner-radius' is not a setting of disk (did you mean inner-radius?)",
             "s.yaml:5: disk.thickness: 1000 is not a length from 0.0001 to 100 (Schwarzschild radii)",
