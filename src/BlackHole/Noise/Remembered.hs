@@ -88,15 +88,18 @@ rememberedPerlin3 (Remembered seed reals boxes gradients) !count place@(XYZ px p
         go :: Int -> Double -> Double -> Double
         go !i !left !total
           | i >= levels || left <= 0 = total
-          | dx < nx && dy < ny && dz < nz =
-            go (i + 1) (left - 1) (total + amplitude * interpolateGradients3 u v w at)
-          | otherwise =
-            go (i + 1) (left - 1) (total + amplitude * noise3 seed (clampedLevel (fromIntegral (field 0))) (XYZ px py pz))
+          | otherwise = go (i + 1) (left - 1) (total + (if left >= 1 then amplitude else left * amplitude) * value i)
           where
-            real k = indexPrimArray reals (realFields * i + k)
+            amplitude = indexPrimArray reals (realFields * i)
+        -- A call of its own for each level: its strict numbers must not be
+        -- worked out beyond the last one.
+        value :: Int -> Double
+        value !i
+          | dx < nx && dy < ny && dz < nz = interpolateGradients3 u v w at
+          | otherwise = noise3 seed (clampedLevel (fromIntegral (field 0))) (XYZ px py pz)
+          where
             field k = indexPrimArray boxes (boxFields * i + k)
-            !amplitude = if left >= 1 then real 0 else left * real 0
-            !cells = real 1
+            !cells = indexPrimArray reals (realFields * i + 1)
             !mask = field 1
             !(Floor cellX u) = floorOf (cells * x)
             !(Floor cellY v) = floorOf (cells * y)

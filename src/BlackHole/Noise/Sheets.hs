@@ -85,15 +85,14 @@ sheetsValue (Sheets reals gradients) !count !turns !v !height = go 0 count 0 1 0
     go !i !left !first !scale !total
       | i >= octaves || left <= 0 = total
       | otherwise =
-        go (i + 1) (left - 1) (first + 1 `unsafeShiftL` (columns + rows)) (2 * scale) $
-          total + weight * layer gradients first columns rows (scale * (u + tiltU * height)) (scale * (v + tiltV * height))
-      where
-        !columns = columnBits + i
-        !rows = rowBits + i
-        amplitude = indexPrimArray reals (3 * i)
-        !weight = if left >= 1 then amplitude else left * amplitude
-        !tiltU = indexPrimArray reals (3 * i + 1)
-        !tiltV = indexPrimArray reals (3 * i + 2)
+        let !columns = columnBits + i
+            !rows = rowBits + i
+            !amplitude = indexPrimArray reals (3 * i)
+            !tiltU = indexPrimArray reals (3 * i + 1)
+            !tiltV = indexPrimArray reals (3 * i + 2)
+            !weight = if left >= 1 then amplitude else left * amplitude
+         in go (i + 1) (left - 1) (first + 1 `unsafeShiftL` (columns + rows)) (2 * scale) $
+              total + weight * layer gradients first columns rows (scale * (u + tiltU * height)) (scale * (v + tiltV * height))
 
 -- | One octave at a place given in its own cells.
 layer :: PrimArray Word8 -> Int -> Int -> Int -> Double -> Double -> Double
