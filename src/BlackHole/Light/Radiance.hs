@@ -70,5 +70,6 @@ luminance (Radiance r g b) =
 isFiniteRadiance :: Radiance -> Bool
 isFiniteRadiance (Radiance r g b) = finite r && finite g && finite b
   where
-    finite a = not (isNaN a || isInfinite a)
+    -- Of a NaN and of infinities the difference is NaN.
+    finite a = a - a == 0
 {-# INLINE isFiniteRadiance #-}

@@ -25,6 +25,7 @@ module BlackHole.Physics.LensTable
     lensTableRadius,
     lensTableSize,
     lensSweep,
+    lensEnd,
     lensTurning,
   )
 where
@@ -235,43 +236,87 @@ fillBlock numbers family offset b =
     -- difference.
     apart = 0.01
 
--- | The path of a photon of unit energy from its radial and tangential
--- velocity, the tangential one at least 0.
-lensSweep :: LensTable -> Double -> Double -> Sweep
-lensSweep table !radial !tangential
+-- | Where in the table a photon's path lies.
+data Found
+  = -- | Between two rows: where they begin, their cells, the part of the way from
+    -- one to the other, the octave, and whether the photon falls in.
+    Between !Int !Int {-# UNPACK #-} !Double !Int !Bool
+  | -- | Too close to the critical path, or of no use there.
+    Beyond
+
+-- | Look up a photon of unit energy by its radial and tangential velocity.
+find :: LensTable -> Double -> Double -> Found
+find (LensTable family blocks _) !radial !tangential
   -- Inside the horizon only light from outside is worth a table.
-  | distance < closest || (falling && familyRadius family <= 1) = orbitSweep (orbit (familyRadius family) radial tangential)
-  | otherwise = Sweep end (max 0 (mixed 0)) cells (BetweenRows numbers (row + 2 * headSize) (row' + 2 * headSize) v0 d0 v1 d1)
+  | distance < closest || (falling && familyRadius family <= 1) = Beyond
+  | otherwise = Between (begin + segment * rowSize cells) cells t octave falling
   where
-    family = tableFamily table
     !offset = parameterOf family radial tangential - familyCritical family
     !falling = offset > 0
     !distance = abs offset
     -- A distance of 2⁻⁽ᵒ⁺¹⁾ (1 + s/64) is a Double with the exponent
     -- −(o+1) whose fraction begins with the six bits of s.
     !bits = castDoubleToWord64 distance
-    !octave = 1022 - fromIntegral (bits `unsafeShiftR` 52) :: Int
+    !octave = max 0 (1022 - fromIntegral (bits `unsafeShiftR` 52)) :: Int
     !segment = fromIntegral ((bits `unsafeShiftR` 46) .&. 63) :: Int
     !t = fromIntegral (bits .&. 0x3fffffffffff) / 70368744177664
-    !place = 2 * (max 0 octave + if falling then octaveCount else 0)
-    !begin = indexPrimArray (tableBlocks table) place
-    !cells = indexPrimArray (tableBlocks table) (place + 1)
-    !row = begin + segment * rowSize cells
-    !row' = row + rowSize cells
+    !place = 2 * (octave + if falling then octaveCount else 0)
+    begin = indexPrimArray blocks place
+    cells = indexPrimArray blocks (place + 1)
+{-# INLINE find #-}
+
+-- | Hermite's weights of the values and slopes at the two ends of a segment.
+data Weights
+  = Weights
+      {-# UNPACK #-} !Double
+      {-# UNPACK #-} !Double
+      {-# UNPACK #-} !Double
+      {-# UNPACK #-} !Double
+
+weightsAt :: Double -> Weights
+weightsAt t = Weights ((1 + 2 * t) * (1 - t) * (1 - t)) (t * (1 - t) * (1 - t)) (t * t * (3 - 2 * t)) (t * t * (t - 1))
+{-# INLINE weightsAt #-}
+
+-- | The number of this place in the rows that begin at two indices.
+mixed :: PrimArray Double -> Weights -> Int -> Int -> Int -> Double
+mixed numbers (Weights v0 d0 v1 d1) row row' k =
+  v0 * indexPrimArray numbers (row + 2 * k)
+    + d0 * indexPrimArray numbers (row + 2 * k + 1)
+    + v1 * indexPrimArray numbers (row' + 2 * k)
+    + d1 * indexPrimArray numbers (row' + 2 * k + 1)
+{-# INLINE mixed #-}
+
+-- | The path of a photon of unit energy from its radial and tangential
+-- velocity, the tangential one at least 0.
+lensSweep :: LensTable -> Double -> Double -> Sweep
+lensSweep table !radial !tangential = case find table radial tangential of
+  Beyond -> closedForm table radial tangential
+  Between row cells t _ falling ->
+    let row' = row + rowSize cells
+        weights@(Weights v0 d0 v1 d1) = weightsAt t
+        at = mixed numbers weights row row'
+        end
+          | falling = FallsIn
+          | otherwise = Leaves (at 1) (at 2)
+     in Sweep end (max 0 (at 0)) cells (BetweenRows numbers (row + 2 * headSize) (row' + 2 * headSize) v0 d0 v1 d1)
+  where
     numbers = tableNumbers table
-    !v0 = (1 + 2 * t) * (1 - t) * (1 - t)
-    !d0 = t * (1 - t) * (1 - t)
-    !v1 = t * t * (3 - 2 * t)
-    !d1 = t * t * (t - 1)
-    mixed k =
-      v0 * indexPrimArray numbers (row + 2 * k)
-        + d0 * indexPrimArray numbers (row + 2 * k + 1)
-        + v1 * indexPrimArray numbers (row' + 2 * k)
-        + d1 * indexPrimArray numbers (row' + 2 * k + 1)
-    end
-      | falling = FallsIn
-      | otherwise = Leaves (mixed 1) (mixed 2)
 {-# INLINE lensSweep #-}
+
+-- | The end of that path alone.
+lensEnd :: LensTable -> Double -> Double -> SweepEnd
+lensEnd table !radial !tangential = case find table radial tangential of
+  Beyond -> sweepEnd (closedForm table radial tangential)
+  Between row cells t _ falling
+    | falling -> FallsIn
+    | otherwise ->
+      let at = mixed (tableNumbers table) (weightsAt t) row (row + rowSize cells)
+       in Leaves (at 1) (at 2)
+{-# INLINE lensEnd #-}
+
+closedForm :: LensTable -> Double -> Double -> Sweep
+closedForm table radial tangential = orbitSweep (orbit (lensTableRadius table) radial tangential)
+{-# NOINLINE closedForm #-}
 
 -- | The distance from the critical parameter below which the table ends.
 closest :: Double
@@ -282,26 +327,17 @@ closest = 0.5 ^^ octaveCount
 -- difference of their parameters times the slope at the first. 'Nothing' where
 -- the first does not escape or is closer to the critical one than the table.
 lensTurning :: LensTable -> (Double, Double) -> (Double, Double) -> Maybe Double
-lensTurning table (radial, tangential) (radial', tangential')
-  | distance < closest || offset > 0 = Nothing
-  | otherwise = Just (slope * change)
+lensTurning table (radial, tangential) (radial', tangential') = case find table radial tangential of
+  Between row cells t octave False ->
+    let row' = row + rowSize cells
+        at = indexPrimArray (tableNumbers table)
+        change = parameter radial tangential - parameter radial' tangential'
+        -- The derivative of Hermite's interpolation, over the length of a segment.
+        slope =
+          (6 * t * (t - 1) * (at row - at row') + (1 - t) * (1 - 3 * t) * at (row + 1) + t * (3 * t - 2) * at (row' + 1))
+            * fromIntegral segmentCount
+            * 2 ^^ (octave + 1)
+     in Just (slope * change)
+  _ -> Nothing
   where
-    family = tableFamily table
-    !w = parameterOf family radial tangential
-    !offset = w - familyCritical family
-    !distance = abs offset
-    !change = negate (parameterOf family radial' tangential' - w)
-    !bits = castDoubleToWord64 distance
-    !octave = 1022 - fromIntegral (bits `unsafeShiftR` 52) :: Int
-    !segment = fromIntegral ((bits `unsafeShiftR` 46) .&. 63) :: Int
-    !t = fromIntegral (bits .&. 0x3fffffffffff) / 70368744177664 :: Double
-    !begin = indexPrimArray (tableBlocks table) (2 * max 0 octave)
-    !cells = indexPrimArray (tableBlocks table) (2 * max 0 octave + 1)
-    !row = begin + segment * rowSize cells
-    !row' = row + rowSize cells
-    at = indexPrimArray (tableNumbers table)
-    -- The derivative of Hermite's interpolation, over the length of a segment.
-    !slope =
-      (6 * t * (t - 1) * (at row - at row') + (1 - t) * (1 - 3 * t) * at (row + 1) + t * (3 * t - 2) * at (row' + 1))
-        * fromIntegral segmentCount
-        * 2 ^^ (octave + 1)
+    parameter = parameterOf (tableFamily table)

@@ -12,6 +12,10 @@ module BlackHole.Physics.Observer
     observerName,
     observerRange,
     SightLine (..),
+    Eye,
+    eye,
+    eyePlace,
+    sightFrom,
     sightLine,
   )
 where
@@ -56,58 +60,82 @@ observerRange Schwarzschild observer = case observer of
 -- | One line of sight.
 data SightLine = SightLine
   { -- | The photon to follow backwards, of unit energy.
-    sightPhoton :: !Photon,
+    sightPhoton :: {-# UNPACK #-} !Photon,
     -- | Frequency seen by the observer over the frequency at infinity: what
     -- shifts the light of the sky.
-    sightFrequency :: !Double
+    sightFrequency :: {-# UNPACK #-} !Double
   }
   deriving (Eq, Show)
 
--- | The light path seen by an observer at a place in a direction (unit length,
--- pointing away from the eye). 'Nothing' where he sees the dark because no
--- light comes from outside along it (inside the horizon), or where no such
--- observer exists ('observerRange'). Bind the result of the first three
--- arguments to work out once what they determine.
-sightLine :: Spacetime -> Observer -> XYZ -> XYZ -> Maybe SightLine
-sightLine Flat _ place =
-  fmap ((`SightLine` 1) . Photon place) . XYZ.normalize
-sightLine Schwarzschild observer place
-  | r <= observerRange Schwarzschild observer || isNaN r = const Nothing
-  | otherwise = case observer of
-    Coordinate -> fmap (`SightLine` 1) . withUnitEnergy . Photon place
-    Static -> static
-    Orbiting -> orbiting
-    Falling -> \direction ->
-      fromEnergy (1 + infall * XYZ.dot radial direction) (direction ^+^ infall *^ radial)
+-- | An observer at a place, with what all his lines of sight have in common.
+data Eye = Eye
+  { _eyeKind :: !EyeKind,
+    eyePlace :: {-# UNPACK #-} !XYZ,
+    -- | Unit vector away from the hole.
+    _eyeRadial :: {-# UNPACK #-} !XYZ,
+    -- | √(1 − 1/r).
+    _eyeDilation :: {-# UNPACK #-} !Double,
+    -- | √(1/r), the speed of who falls in from rest at infinity.
+    _eyeInfall :: {-# UNPACK #-} !Double,
+    -- | The direction of circular motion, and its speed past the static observer.
+    _eyeAzimuthal :: {-# UNPACK #-} !XYZ,
+    _eyeSpeed :: {-# UNPACK #-} !Double
+  }
+
+-- | How directions become paths.
+data EyeKind
+  = -- | No such observer can be there.
+    Nobody
+  | -- | There is no gravity.
+    InFlatSpace
+  | Near !Observer
+
+-- | The eye of an observer at a place.
+eye :: Spacetime -> Observer -> XYZ -> Eye
+eye space observer place = Eye kind place radial (sqrt (1 - 1 / r)) (sqrt (1 / r)) (orbitDirection radial) (sqrt (1 / (2 * (r - 1))))
   where
-    !r = XYZ.norm place
-    !radial = (1 / r) *^ place
-    !dilation = sqrt (1 - 1 / r)
-    !infall = sqrt (1 / r)
+    r = XYZ.norm place
+    radial = (1 / r) *^ place
+    kind = case space of
+      Flat -> InFlatSpace
+      Schwarzschild
+        | r <= observerRange Schwarzschild observer || isNaN r -> Nobody
+        | otherwise -> Near observer
+
+-- | @sightLine space observer place = 'sightFrom' ('eye' space observer place)@.
+sightLine :: Spacetime -> Observer -> XYZ -> XYZ -> Maybe SightLine
+sightLine space observer place = sightFrom (eye space observer place)
+
+-- | The light path that an eye sees in a direction (unit length, pointing away
+-- from it). 'Nothing' where he sees the dark because no light comes from outside
+-- along it (inside the horizon), or where no such observer exists
+-- ('observerRange').
+sightFrom :: Eye -> XYZ -> Maybe SightLine
+sightFrom (Eye kind place radial dilation infall azimuthal speed) !direction = case kind of
+  Nobody -> Nothing
+  InFlatSpace -> (\d -> SightLine (Photon place d) 1) <$> XYZ.normalize direction
+  Near Coordinate -> (`SightLine` 1) <$> withUnitEnergy (Photon place direction)
+  Near Static -> static direction
+  Near Orbiting ->
+    -- The light itself moves along −direction, so what is boosted back into the
+    -- static frame is the momentum −direction; its reverse is the direction seen
+    -- there.
+    let along = XYZ.dot azimuthal direction
+        -- Frequency in the static frame of light of frequency one here.
+        frequency = gamma * (1 - speed * along)
+        momentum = direction ^+^ ((gamma - 1) * along - gamma * speed) *^ azimuthal
+     in (\(SightLine photon shift) -> SightLine photon (shift / frequency)) <$> static ((1 / frequency) *^ momentum)
+  Near Falling -> fromEnergy (1 + infall * XYZ.dot radial direction) (direction ^+^ infall *^ radial)
+  where
+    gamma = 1 / sqrt (1 - speed * speed)
     -- Light of frequency one to the observer has this energy at infinity and
     -- this pseudo-velocity; scale both to unit energy.
     fromEnergy energy velocity
-      | energy > 0 =
-        Just (SightLine (Photon place ((1 / energy) *^ velocity)) (1 / energy))
+      | energy > 0 = Just (SightLine (Photon place ((1 / energy) *^ velocity)) (1 / energy))
       | otherwise = Nothing
     -- The static observer's radial unit of length is shorter than the
     -- coordinate's: only the radial part of a direction changes.
     static d = fromEnergy dilation (d ^-^ ((1 - dilation) * XYZ.dot radial d) *^ radial)
-    -- His speed past the static observer is √(1/(2(r−1))). The light itself
-    -- moves along −direction, so what is boosted back into the static frame is
-    -- the momentum −direction; its reverse is the direction seen there.
-    azimuthal = orbitDirection radial
-    speed = sqrt (1 / (2 * (r - 1)))
-    gamma = 1 / sqrt (1 - speed * speed)
-    orbiting direction = do
-      let along = XYZ.dot azimuthal direction
-          -- Frequency in the static frame of light of frequency one here.
-          frequency = gamma * (1 - speed * along)
-          momentum =
-            direction
-              ^+^ ((gamma - 1) * along - gamma * speed) *^ azimuthal
-      SightLine photon shift <- static ((1 / frequency) *^ momentum)
-      pure (SightLine photon (shift / frequency))
 
 -- | The direction of circular motion: right-handed about @+y@; over the poles,
 -- where that has no direction, towards @+x@.

@@ -25,8 +25,8 @@ import qualified BlackHole.Vector.XYZ as XYZ
 -- radial part is the contravariant @k^r@ and its tangential part @L/r@ of the
 -- real momentum, both up to one common factor, which 'withUnitEnergy' fixes.
 data Photon = Photon
-  { photonPosition :: !XYZ,
-    photonVelocity :: !XYZ
+  { photonPosition :: {-# UNPACK #-} !XYZ,
+    photonVelocity :: {-# UNPACK #-} !XYZ
   }
   deriving (Eq, Show)
 
@@ -59,7 +59,7 @@ impactParameter p
 -- 'Nothing' where the energy is not positive.
 withUnitEnergy :: Photon -> Maybe Photon
 withUnitEnergy p@(Photon x v)
-  | e > 0 && not (isInfinite e) = Just (Photon x ((1 / sqrt (2 * e)) *^ v))
+  | e > 0 && e - e == 0 = Just (Photon x ((1 / sqrt (2 * e)) *^ v))
   | otherwise = Nothing
   where
     e = pseudoEnergy p

@@ -9,6 +9,7 @@
 -- ("BlackHole.Physics.Sweep").
 module BlackHole.Physics.SweptPath
   ( followSwept,
+    sweptFate,
     sweepOf,
   )
 where
@@ -47,16 +48,10 @@ followSwept ::
   (a -> Stretch -> Onward a) ->
   a ->
   Followed a
-followSwept space table region phase (Photon place velocity) gather = start
+followSwept space table region phase photon gather = start
   where
+    !(Launch e1 e2 radial tangential) = launch table photon
     !r0 = lensTableRadius table
-    !e1 = (1 / r0) *^ place
-    !radial = XYZ.dot velocity e1
-    !across = velocity ^-^ radial *^ e1
-    -- A photon that moves straight at the hole or away from it sweeps no
-    -- angle; its neighbour within 1e-9 radians does.
-    !tangential = max (1e-9 * XYZ.norm velocity) (XYZ.norm across)
-    !e2 = fromMaybe (XYZ.perpendicular e1) (XYZ.normalize across)
     !b = r0 * tangential
     !(Sweep ending lastAngle cellCount waypoints) = sweepOf space table radial tangential
     !spacing = lastAngle / fromIntegral cellCount
@@ -216,6 +211,40 @@ followSwept space table region phase (Photon place velocity) gather = start
     !longest = regionLongestStep region
     !vertical = regionVerticalStep region
 {-# INLINE followSwept #-}
+
+-- | The end of the path that 'followSwept' follows, with nothing on the way.
+sweptFate :: Spacetime -> LensTable -> Photon -> Fate
+sweptFate space table photon = case end of
+  Leaves c s -> Escaped (c *^ e1 ^+^ s *^ e2)
+  FallsIn -> Captured
+  CirclesOn -> StepLimit
+  where
+    !(Launch e1 e2 radial tangential) = launch table photon
+    end = case space of
+      Schwarzschild -> lensEnd table radial tangential
+      Flat -> sweepEnd (sweepOf Flat table radial tangential)
+
+-- | How a photon starts: unit vectors outwards and onwards, which span its plane,
+-- and its velocity along them.
+data Launch
+  = Launch
+      {-# UNPACK #-} !XYZ
+      {-# UNPACK #-} !XYZ
+      {-# UNPACK #-} !Double
+      {-# UNPACK #-} !Double
+
+-- | Of a photon at the table's radius. One that moves straight at the hole or away
+-- from it sweeps no angle; its neighbour within 1e-9 radians does, in any plane.
+launch :: LensTable -> Photon -> Launch
+launch table (Photon place velocity)
+  | across2 > 1e-18 * XYZ.normSquared velocity = let t = sqrt across2 in Launch e1 ((1 / t) *^ across) radial t
+  | otherwise = Launch e1 (fromMaybe (XYZ.perpendicular e1) (XYZ.normalize across)) radial (1e-9 * XYZ.norm velocity)
+  where
+    !e1 = (1 / lensTableRadius table) *^ place
+    !radial = XYZ.dot velocity e1
+    !across = velocity ^-^ radial *^ e1
+    !across2 = XYZ.normSquared across
+{-# INLINE launch #-}
 
 -- | The arc sine on 0 … 1. Most arguments are small.
 arcSine :: Double -> Double

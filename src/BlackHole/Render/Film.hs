@@ -65,9 +65,16 @@ exposeRows workers progress scene (first, rows)
 
 -- | Trace one row into its part of the film.
 traceRow :: Tracer -> Int -> Int -> MVector s Float -> ST s ()
-traceRow traced !width !row pixels =
-  forThrees width (firstSamples traced width row) $ \column sums ->
-    writeRadiance pixels column (estimatedRadiance sums)
+traceRow traced !width !row pixels
+  | sceneSamples scene == 1 && sceneIntegrator scene /= Leapfrogging = oneByOne 0
+  | otherwise =
+    forThrees width (firstSamples traced width row) $ \column sums ->
+      writeRadiance pixels column (estimatedRadiance sums)
+  where
+    scene = tracedScene traced
+    oneByOne !column = when (column < width) $ do
+      writeRadiance pixels column (onlySample traced column row)
+      oneByOne (column + 1)
 
 -- | The first samples of three pixels from a column on; those beyond the width
 -- are not traced.
@@ -169,7 +176,10 @@ filmRadiance film column row = (`radianceAt` 0) <$> pixelChannels film column ro
 -- | How many pixels hold a NaN or an infinity, and the column and row of the
 -- first. There should be none: one is a fault of the program.
 faultyPixels :: Film -> (Int, Maybe (Int, Int))
-faultyPixels film = (Vector.length faulty, place <$> faulty Vector.!? 0)
+faultyPixels film
+  -- The rule, in a nanosecond a number.
+  | Vector.all (\v -> v - v == 0) light = (0, Nothing)
+  | otherwise = (Vector.length faulty, place <$> faulty Vector.!? 0)
   where
     faulty = Vector.filter isFaulty (Vector.enumFromN 0 (Vector.length light `quot` 3))
     isFaulty i = not (isFiniteRadiance (radianceAt light (3 * i)))

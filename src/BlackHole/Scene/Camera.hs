@@ -1,5 +1,3 @@
-{-# LANGUAGE BangPatterns #-}
-
 -- | Where the camera stands, where it looks, and which direction of sight
 -- belongs to a point of the picture.
 module BlackHole.Scene.Camera
@@ -9,6 +7,8 @@ module BlackHole.Scene.Camera
     Frame (..),
     cameraFrame,
     Picture (..),
+    PicturePlane,
+    picturePlane,
     sightDirection,
     pixelAngle,
   )
@@ -50,9 +50,9 @@ posePosition (Around r inclination azimuth) =
 
 -- | The camera's three axes: unit length, mutually perpendicular.
 data Frame = Frame
-  { frameForward :: !XYZ,
-    frameRight :: !XYZ,
-    frameUp :: !XYZ
+  { frameForward :: {-# UNPACK #-} !XYZ,
+    frameRight :: {-# UNPACK #-} !XYZ,
+    frameUp :: {-# UNPACK #-} !XYZ
   }
   deriving (Eq, Show)
 
@@ -93,22 +93,34 @@ data Picture = Picture
   }
   deriving (Eq, Show)
 
+-- | The plane of the picture in front of the eye: how to get from points of the
+-- one to directions of the other.
+data PicturePlane = PicturePlane
+  { _planeFrame :: !Frame,
+    -- | Half the width and height, in pixels.
+    _planeHalfWidth :: {-# UNPACK #-} !Double,
+    _planeHalfHeight :: {-# UNPACK #-} !Double,
+    -- | Size of a pixel at distance one.
+    _planeScale :: {-# UNPACK #-} !Double
+  }
+
+-- | The plane of a camera's picture.
+picturePlane :: Camera -> Picture -> Frame -> PicturePlane
+picturePlane camera (Picture width height) frame =
+  PicturePlane frame halfWidth (0.5 * fromIntegral height) (tan (0.5 * fov) / halfWidth)
+  where
+    halfWidth = 0.5 * fromIntegral width
+    Radians fov = toRadians (cameraFieldOfView camera)
+
 -- | The direction of sight (unit length) through a point of the picture,
 -- given in pixels from its top left corner: @XY 0.5 0.5@ is the middle of the
 -- first pixel. Pixels are square.
-sightDirection :: Camera -> Picture -> Frame -> XY -> XYZ
-sightDirection camera (Picture width height) (Frame forward right up) =
-  \(XY px py) ->
-    let d =
-          forward
-            ^+^ ((px - halfWidth) * scale) *^ right
-            ^+^ ((halfHeight - py) * scale) *^ up
-     in (1 / XYZ.norm d) *^ d
+sightDirection :: PicturePlane -> XY -> XYZ
+sightDirection (PicturePlane (Frame forward right up) halfWidth halfHeight scale) (XY px py) =
+  (1 / XYZ.norm d) *^ d
   where
-    !halfWidth = 0.5 * fromIntegral width
-    !halfHeight = 0.5 * fromIntegral height
-    Radians fov = toRadians (cameraFieldOfView camera)
-    !scale = tan (0.5 * fov) / halfWidth
+    d = forward ^+^ ((px - halfWidth) * scale) *^ right ^+^ ((halfHeight - py) * scale) *^ up
+{-# INLINE sightDirection #-}
 
 -- | The angle that a pixel in the middle of the picture covers, in radians.
 pixelAngle :: Camera -> Picture -> Double

@@ -9,6 +9,7 @@ module BlackHole.Trace.Pixel
     tracer,
     addSamples,
     addSamplesToThree,
+    onlySample,
     sightRadiance,
     samplePoint,
 
@@ -42,6 +43,7 @@ import BlackHole.Scene.Shifts (skyShift)
 import BlackHole.Trace.Beam
 import BlackHole.Trace.Estimate
 import BlackHole.Trace.Gas
+import BlackHole.Trace.Grid
 import BlackHole.Trace.Sampling
 import BlackHole.Trace.Sky
 import BlackHole.Vector.XY (XY (..))
@@ -50,10 +52,9 @@ import qualified BlackHole.Vector.XYZ as XYZ
 
 -- | A scene made ready: what all pixels share, worked out once.
 data Tracer = Tracer
-  { tracerSight :: !(XY -> XYZ),
+  { tracerPlane :: !PicturePlane,
     tracerScene :: !Scene,
-    -- | The light path that arrives from a direction.
-    tracerPath :: !(XYZ -> Maybe SightLine),
+    tracerEye :: !Eye,
     -- | The exposure's factor.
     tracerGain :: !Double,
     -- | The part of g that counts for the sky, by the observer's frequency.
@@ -78,10 +79,10 @@ tracer scene = do
   frame <- cameraFrame (sceneCamera scene)
   pure
     Tracer
-      { tracerSight = sightDirection (sceneCamera scene) (scenePicture scene) frame,
+      { tracerPlane = picturePlane (sceneCamera scene) (scenePicture scene) frame,
         tracerScene = scene,
         tracerGain = 2 ** stops,
-        tracerPath = sightLine (sceneSpacetime scene) (sceneObserver scene) place,
+        tracerEye = eye (sceneSpacetime scene) (sceneObserver scene) place,
         tracerSkyShift = case sceneSpacetime scene of
           Flat -> const 1
           Schwarzschild -> skyShift (sceneShifts scene) (XYZ.norm place),
@@ -130,6 +131,8 @@ followLight traced point sight = case (sceneIntegrator scene, tracerMatter trace
       (sightPhoton sight)
       (gatherGas glowing (sightFrequency sight))
       nothingYet
+  (Tabulated, Vacuum) ->
+    Followed (sweptFate (sceneSpacetime scene) (tracerTable traced) (sightPhoton sight)) nothingYet 0
   _ -> followSight traced point sight (tracedGas traced (sightFrequency sight)) nothingYet
   where
     scene = tracerScene traced
@@ -169,6 +172,14 @@ addSamplesToThree traced from to estimate0 estimate1 estimate2 column row = case
          in go (index + 1) (add w0 r0 sums0) (add w1 r1 sums1) (add w2 r2 sums2)
       | otherwise = (sums0, sums1, sums2)
 
+-- | What 'addSamples' estimates of a pixel from a single sample: with nothing to
+-- weigh, its light as it is, without what a filter or a sum might make negative.
+onlySample :: Tracer -> Int -> Int -> Radiance
+onlySample traced column row = mapRadiance (max 0) (sightRadiance traced place)
+  where
+    Sample place _ = samplePoint (tracerScene traced) column row 0
+{-# INLINE onlySample #-}
+
 -- | 'sightRadiance' of three points, by three leapfrogs side by side.
 threeSights :: Tracer -> XY -> XY -> XY -> (Radiance, Radiance, Radiance)
 threeSights traced p0 p1 p2 = case (tracedSight traced p0, tracedSight traced p1, tracedSight traced p2) of
@@ -207,12 +218,12 @@ tracedScene = tracerScene
 
 -- | The direction of sight through a point of the picture.
 tracedDirection :: Tracer -> XY -> XYZ
-tracedDirection = tracerSight
+tracedDirection traced = sightDirection (tracerPlane traced)
 
 -- | The light path that arrives at a point of the picture; 'Nothing' where it
 -- is dark because none does ('sightLine').
 tracedSight :: Tracer -> XY -> Maybe SightLine
-tracedSight traced point = tracerPath traced (tracerSight traced point)
+tracedSight traced point = sightFrom (tracerEye traced) (sightDirection (tracerPlane traced) point)
 
 -- | What a stretch of the scene's gas adds, by the observer's frequency.
 tracedGas :: Tracer -> Double -> Gathered -> Stretch -> Onward Gathered

@@ -3,7 +3,6 @@ module BlackHole.Trace.Sky
   ( SkyShader (..),
     skyShader,
     panoramaShader,
-    gridRadiance,
   )
 where
 
@@ -12,15 +11,15 @@ import BlackHole.Light.Radiance
 import BlackHole.Noise.Lattice (unitLevel)
 import BlackHole.Noise.PerlinG (noise3, perlin3Above)
 import BlackHole.Noise.Profile (normalised, octaves)
-import BlackHole.Physics.Angle (arcTangent2)
 import BlackHole.Scene.Sky
 import BlackHole.Trace.Beam (Beam)
+import BlackHole.Trace.Grid
 import BlackHole.Trace.MilkyWay
 import BlackHole.Trace.Seeds
 import BlackHole.Trace.SkyImage
 import BlackHole.Trace.StarCatalogue
 import BlackHole.Trace.StarField
-import BlackHole.Vector.XYZ (XYZ (..), (*^))
+import BlackHole.Vector.XYZ (XYZ, (*^))
 import Data.Word (Word64)
 
 -- | Light from the sky by the frequency g times as high at which the observer
@@ -80,13 +79,3 @@ starRadiance seed stars = \g direction ->
         let temperature = 5500 * exp (2 * noise3 colourSeed unitLevel (0.4 *^ place))
          in scaleRadiance (g ^ (4 :: Int)) (tabulatedColour (g * temperature))
       | otherwise = \g _ -> grey (g ^ (4 :: Int))
-
--- | Fields of 10° in longitude and latitude, warm over the disk's upper side
--- and cool under it.
-gridRadiance :: XYZ -> Radiance
-gridRadiance (XYZ x y z)
-  | y >= 0 = scaleRadiance shade (Radiance 1 0.6 0.25)
-  | otherwise = scaleRadiance shade (Radiance 0.25 0.6 1)
-  where
-    shade = if even (field (arcTangent2 z x) + field (asin (max (-1) (min 1 y)))) then 0.8 else 0.15
-    field angle = floor (angle * 18 / pi) :: Int

@@ -87,7 +87,8 @@ norm = sqrt . normSquared
 -- because the length is zero, not finite, or too small to invert.
 normalize :: XYZ -> Maybe XYZ
 normalize v
-  | n > 0 && not (isInfinite n) && not (isInfinite k) = Just (k *^ v)
+  -- The difference from itself is NaN for an infinity. GHC asks a C function.
+  | n > 0 && n - n == 0 && k - k == 0 = Just (k *^ v)
   | otherwise = Nothing
   where
     n = norm v

@@ -47,7 +47,7 @@ spec = do
     let camera = Camera (Around 20 (Degrees 70) (Degrees 30)) (Degrees 5) (Degrees 63)
      in case cameraFrame camera of
           Just frame ->
-            let sight = sightDirection camera (Picture 320 180) frame
+            let sight = sightDirection (picturePlane camera (Picture 320 180) frame)
                 angle = acos (XYZ.dot (sight (XY 0 90)) (sight (XY 320 90)))
              in angle `shouldBeWithin` (1e-12, 63 * pi / 180)
           Nothing -> expectationFailure "no frame"
@@ -55,7 +55,7 @@ spec = do
     let camera = Camera (Around 20 (Degrees 90) (Degrees 90)) (Degrees 0) (Degrees 63)
      in case cameraFrame camera of
           Just frame ->
-            let sight = sightDirection camera (Picture 320 180) frame
+            let sight = sightDirection (picturePlane camera (Picture 320 180) frame)
                 XYZ _ above _ = sight (XY 160 0)
                 XYZ right _ _ = sight (XY 250 90)
              in above `shouldBeWithin` (1e-12, right)
