@@ -99,6 +99,7 @@ import qualified BlackHole.Trace.StarFieldSpec
 import qualified BlackHole.Trace.TabulatedSpec
 import qualified BlackHole.Vector.XYSpec
 import qualified BlackHole.Vector.XYZSpec
+import qualified BlackHoleSpec
 import qualified ProgramSpec
 import qualified Support.DifferenceSpec
 import Test.Hspec
@@ -203,5 +204,6 @@ main = hspec $ do
   describe "BlackHole.Trace.Tabulated" BlackHole.Trace.TabulatedSpec.spec
   describe "BlackHole.Vector.XY" BlackHole.Vector.XYSpec.spec
   describe "BlackHole.Vector.XYZ" BlackHole.Vector.XYZSpec.spec
+  describe "BlackHole" BlackHoleSpec.spec
   describe "Program" ProgramSpec.spec
   describe "Support.Difference" Support.DifferenceSpec.spec
