@@ -100,6 +100,7 @@ import qualified BlackHole.Trace.TabulatedSpec
 import qualified BlackHole.Vector.XYSpec
 import qualified BlackHole.Vector.XYZSpec
 import qualified BlackHoleSpec
+import qualified DocumentsSpec
 import qualified ProgramSpec
 import qualified Support.DifferenceSpec
 import Test.Hspec
@@ -205,5 +206,6 @@ main = hspec $ do
   describe "BlackHole.Vector.XY" BlackHole.Vector.XYSpec.spec
   describe "BlackHole.Vector.XYZ" BlackHole.Vector.XYZSpec.spec
   describe "BlackHole" BlackHoleSpec.spec
+  describe "Documents" DocumentsSpec.spec
   describe "Program" ProgramSpec.spec
   describe "Support.Difference" Support.DifferenceSpec.spec
