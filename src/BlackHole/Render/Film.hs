@@ -19,6 +19,7 @@ import BlackHole.Light.Radiance
 import BlackHole.Render.PixelArray
 import BlackHole.Render.PixelRows (mapRows, pixelChannels)
 import BlackHole.Render.PixelShape
+import BlackHole.Render.Shared (mapShared)
 import BlackHole.Render.Workers (Workers)
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
@@ -47,15 +48,17 @@ exposeFilm workers progress scene =
 -- (at least 1). The numbers are those that the whole film has there. 'Nothing'
 -- also if the picture has no such rows.
 exposeRows :: Workers -> (Int -> IO ()) -> Scene -> (Int, Int) -> IO (Maybe Film)
-exposeRows workers progress scene (first, rows)
+exposeRows crew progress scene (first, rows)
   | first < 0 || first > height - rows = pure Nothing
   | otherwise = case (,,) <$> pixelShape width rows 3 <*> pixelShape width haloRows sumCount <*> tracer scene of
     Nothing -> pure Nothing
-    Just (shape, haloShape, traced)
-      | mostSamples scene > sceneSamples scene -> do
-        sums <- generateRows workers (progress . (`quot` 2)) haloShape (sumRow traced width . (haloFirst +))
-        Just <$> generateRows workers (progress . quot' . (rows +)) shape (refineRow traced width haloFirst sums . (first +))
-      | otherwise -> Just <$> generateRows workers progress shape (traceRow traced width . (first +))
+    Just (shape, haloShape, traced) -> do
+      _ <- mapShared crew pure (tracerTables traced)
+      if mostSamples scene > sceneSamples scene
+        then do
+          sums <- generateRows crew (progress . (`quot` 2)) haloShape (sumRow traced width . (haloFirst +))
+          Just <$> generateRows crew (progress . quot' . (rows +)) shape (refineRow traced width haloFirst sums . (first +))
+        else Just <$> generateRows crew progress shape (traceRow traced width . (first +))
   where
     Picture width height = scenePicture scene
     quot' n = (n + 1) `quot` 2
