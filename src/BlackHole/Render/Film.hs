@@ -28,7 +28,6 @@ import BlackHole.Trace.Estimate
 import BlackHole.Trace.Pixel
 import Control.Monad (when)
 import Control.Monad.ST (ST)
-import Data.Foldable (for_)
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as Vector
 import Data.Vector.Storable.Mutable (MVector)
@@ -115,22 +114,22 @@ writeRadiance pixels column (Radiance r g b) = do
 sumRow :: Tracer -> Int -> Int -> MVector s Float -> ST s ()
 sumRow traced !width !row sums =
   forThrees width (firstSamples traced width row) $ \column estimate ->
-    for_ (zip [0 ..] (estimateSums estimate)) $ \(k, v) ->
+    forSums estimate $ \k v ->
       MVector.unsafeWrite sums (sumCount * column + k) (realToFrac v)
-
--- | Numbers of an estimate without its count, which is the same everywhere.
-sumCount :: Int
-sumCount = 9
 
 -- | Finish one row, given the first sums and the number of their first row.
 refineRow :: Tracer -> Int -> Int -> PixelArray Float -> Int -> MVector s Float -> ST s ()
-refineRow traced !width !sumsFirst sums !row pixels = for_ [0 .. width - 1] $ \column ->
-  writeRadiance pixels column (estimatedRadiance (refinedEstimate traced first column row))
+refineRow traced !width !sumsFirst sums !row pixels = go 0
   where
-    count = sceneSamples (tracedScene traced)
-    first c r = case pixelChannels sums c (r - sumsFirst) of
-      Just v -> estimateFromSums count (realToFrac . Vector.unsafeIndex v)
-      Nothing -> noSamples
+    go !column = when (column < width) $ do
+      writeRadiance pixels column (estimatedRadiance (refinedEstimate traced uncertain (first column) column row))
+      go (column + 1)
+    scene = tracedScene traced
+    !numbers = toPixelVector sums
+    sumOf :: Int -> Int -> Int -> Double
+    sumOf c r k = realToFrac (Vector.unsafeIndex numbers (sumCount * (width * (r - sumsFirst) + c) + k))
+    first c = estimateFromSums (sceneSamples scene) (sumOf c row)
+    uncertain c r = uncertainEstimate scene (sumOf c r seenPlace) (sumOf c r (seenPlace + 1))
 
 -- | What an 8-bit sRGB display is told: exposure, tone map, coding and dither.
 developFilm :: Workers -> Exposure -> ToneMap -> Dither -> Film -> IO (PixelArray Word8)
