@@ -3,7 +3,6 @@
 -- as its users run it.
 module Table (printTable) where
 
-import BlackHole.Scene.Disk (Disk)
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene (Scene (..))
 import Control.Concurrent (threadDelay)
@@ -62,8 +61,8 @@ printTable program huge = do
   putStrLn ""
   reportErrors
   putStrLn ""
-  reportNoise "default" (sceneDisk defaultScene)
-  reportNoise "report" (sceneDisk reportScene)
+  reportNoise "default" defaultScene
+  reportNoise "report" reportScene
   putStrLn ""
   mapM_ (reportStart program) ["--version", "--help"]
 
@@ -124,10 +123,10 @@ reportErrors = do
   printf "%-46s %8.1e %8.1e %6d\n" "all" sky crossing fates
 
 -- | Noise from tables against hashing every lattice point.
-reportNoise :: String -> Maybe Disk -> IO ()
-reportNoise name = mapM_ (mapM_ one . fields)
+reportNoise :: String -> Scene -> IO ()
+reportNoise name scene = mapM_ (mapM_ one . fields) (sceneDisk scene)
   where
-    places = placesOf 20000 defaultScene
+    places = placesOf 20000 scene
     one field = do
       remembered <- secondsOf (fieldRemembered field)
       hashed <- secondsOf (fieldHashed field)

@@ -53,6 +53,7 @@ import qualified BlackHole.Noise.ProfileSpec
 import qualified BlackHole.Noise.RememberedSpec
 import qualified BlackHole.Noise.SheetsSpec
 import qualified BlackHole.Noise.SipHashSpec
+import qualified BlackHole.Noise.ThresholdSpec
 import qualified BlackHole.Numeric.ExponentialSpec
 import qualified BlackHole.Numeric.FloorSpec
 import qualified BlackHole.Physics.CourseSpec
@@ -159,6 +160,7 @@ main = hspec $ do
   describe "BlackHole.Noise.Remembered" BlackHole.Noise.RememberedSpec.spec
   describe "BlackHole.Noise.Sheets" BlackHole.Noise.SheetsSpec.spec
   describe "BlackHole.Noise.SipHash" BlackHole.Noise.SipHashSpec.spec
+  describe "BlackHole.Noise.Threshold" BlackHole.Noise.ThresholdSpec.spec
   describe "BlackHole.Numeric.Exponential" BlackHole.Numeric.ExponentialSpec.spec
   describe "BlackHole.Numeric.Floor" BlackHole.Numeric.FloorSpec.spec
   describe "BlackHole.Physics.Course" BlackHole.Physics.CourseSpec.spec

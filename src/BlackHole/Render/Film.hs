@@ -19,6 +19,7 @@ import BlackHole.Light.Radiance
 import BlackHole.Render.PixelArray
 import BlackHole.Render.PixelRows (mapRows, pixelChannels)
 import BlackHole.Render.PixelShape
+import BlackHole.Render.Shared (mapShared)
 import BlackHole.Render.Workers (Workers)
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
@@ -27,7 +28,6 @@ import BlackHole.Trace.Estimate
 import BlackHole.Trace.Pixel
 import Control.Monad (when)
 import Control.Monad.ST (ST)
-import Data.Foldable (for_)
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as Vector
 import Data.Vector.Storable.Mutable (MVector)
@@ -47,15 +47,17 @@ exposeFilm workers progress scene =
 -- (at least 1). The numbers are those that the whole film has there. 'Nothing'
 -- also if the picture has no such rows.
 exposeRows :: Workers -> (Int -> IO ()) -> Scene -> (Int, Int) -> IO (Maybe Film)
-exposeRows workers progress scene (first, rows)
+exposeRows crew progress scene (first, rows)
   | first < 0 || first > height - rows = pure Nothing
   | otherwise = case (,,) <$> pixelShape width rows 3 <*> pixelShape width haloRows sumCount <*> tracer scene of
     Nothing -> pure Nothing
-    Just (shape, haloShape, traced)
-      | mostSamples scene > sceneSamples scene -> do
-        sums <- generateRows workers (progress . (`quot` 2)) haloShape (sumRow traced width . (haloFirst +))
-        Just <$> generateRows workers (progress . quot' . (rows +)) shape (refineRow traced width haloFirst sums . (first +))
-      | otherwise -> Just <$> generateRows workers progress shape (traceRow traced width . (first +))
+    Just (shape, haloShape, traced) -> do
+      _ <- mapShared crew pure (tracerTables traced)
+      if mostSamples scene > sceneSamples scene
+        then do
+          sums <- generateRows crew (progress . (`quot` 2)) haloShape (sumRow traced width . (haloFirst +))
+          Just <$> generateRows crew (progress . quot' . (rows +)) shape (refineRow traced width haloFirst sums . (first +))
+        else Just <$> generateRows crew progress shape (traceRow traced width . (first +))
   where
     Picture width height = scenePicture scene
     quot' n = (n + 1) `quot` 2
@@ -112,22 +114,22 @@ writeRadiance pixels column (Radiance r g b) = do
 sumRow :: Tracer -> Int -> Int -> MVector s Float -> ST s ()
 sumRow traced !width !row sums =
   forThrees width (firstSamples traced width row) $ \column estimate ->
-    for_ (zip [0 ..] (estimateSums estimate)) $ \(k, v) ->
+    forSums estimate $ \k v ->
       MVector.unsafeWrite sums (sumCount * column + k) (realToFrac v)
-
--- | Numbers of an estimate without its count, which is the same everywhere.
-sumCount :: Int
-sumCount = 9
 
 -- | Finish one row, given the first sums and the number of their first row.
 refineRow :: Tracer -> Int -> Int -> PixelArray Float -> Int -> MVector s Float -> ST s ()
-refineRow traced !width !sumsFirst sums !row pixels = for_ [0 .. width - 1] $ \column ->
-  writeRadiance pixels column (estimatedRadiance (refinedEstimate traced first column row))
+refineRow traced !width !sumsFirst sums !row pixels = go 0
   where
-    count = sceneSamples (tracedScene traced)
-    first c r = case pixelChannels sums c (r - sumsFirst) of
-      Just v -> estimateFromSums count (realToFrac . Vector.unsafeIndex v)
-      Nothing -> noSamples
+    go !column = when (column < width) $ do
+      writeRadiance pixels column (estimatedRadiance (refinedEstimate traced uncertain (first column) column row))
+      go (column + 1)
+    scene = tracedScene traced
+    !numbers = toPixelVector sums
+    sumOf :: Int -> Int -> Int -> Double
+    sumOf c r k = realToFrac (Vector.unsafeIndex numbers (sumCount * (width * (r - sumsFirst) + c) + k))
+    first c = estimateFromSums (sceneSamples scene) (sumOf c row)
+    uncertain c r = uncertainEstimate scene (sumOf c r seenPlace) (sumOf c r (seenPlace + 1))
 
 -- | What an 8-bit sRGB display is told: exposure, tone map, coding and dither.
 developFilm :: Workers -> Exposure -> ToneMap -> Dither -> Film -> IO (PixelArray Word8)
