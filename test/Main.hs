@@ -86,6 +86,7 @@ import qualified BlackHole.SelfTest.CheckSpec
 import qualified BlackHole.SelfTest.SuiteSpec
 import qualified BlackHole.SelfTest.TableSpec
 import qualified BlackHole.Trace.BeamSpec
+import qualified BlackHole.Trace.CensusSpec
 import qualified BlackHole.Trace.EstimateSpec
 import qualified BlackHole.Trace.ExplainSpec
 import qualified BlackHole.Trace.GasSpec
@@ -193,6 +194,7 @@ main = hspec $ do
   describe "BlackHole.SelfTest.Suite" BlackHole.SelfTest.SuiteSpec.spec
   describe "BlackHole.SelfTest.Table" BlackHole.SelfTest.TableSpec.spec
   describe "BlackHole.Trace.Beam" BlackHole.Trace.BeamSpec.spec
+  describe "BlackHole.Trace.Census" BlackHole.Trace.CensusSpec.spec
   describe "BlackHole.Trace.Estimate" BlackHole.Trace.EstimateSpec.spec
   describe "BlackHole.Trace.Explain" BlackHole.Trace.ExplainSpec.spec
   describe "BlackHole.Trace.Gas" BlackHole.Trace.GasSpec.spec

@@ -9,6 +9,7 @@ module BlackHole.Trace.Explain
     opticalDepth,
     Shown (..),
     explainPixel,
+    gatheredAlong,
     shownAs,
   )
 where
@@ -131,9 +132,15 @@ sighting scene traced point =
 -- | What is gathered, and how many stretches added to it.
 data Counted = Counted !Int !Gathered
 
+-- | The end of a line of sight, the integrator's steps, and how many stretches had
+-- gas: the ray through that point of the picture, counted as it is rendered.
+gatheredAlong :: Tracer -> XY -> SightLine -> (Fate, Int, Int)
+gatheredAlong traced point sight = case counted traced point sight of
+  Followed fate (Counted samples _) steps -> (fate, steps, samples)
+
 arrival :: Scene -> Tracer -> XY -> SightLine -> Arrival
 arrival scene traced point sight@(SightLine photon observed) =
-  case followSight traced point sight count (Counted 0 nothingYet) of
+  case counted traced point sight of
     Followed fate (Counted samples (Gathered light transmittance)) steps ->
       Arrival
         { arrivalAngularMomentum = angularMomentum photon,
@@ -146,8 +153,11 @@ arrival scene traced point sight@(SightLine photon observed) =
           arrivalGas = light,
           arrivalSky = tracedSky traced point sight fate
         }
+
+counted :: Tracer -> XY -> SightLine -> Followed Counted
+counted traced point sight = followSight traced point sight count (Counted 0 nothingYet)
   where
-    !shade = tracedGas traced observed
+    !shade = tracedGas traced (sightFrequency sight)
     count (Counted n before) stretch = case shade before stretch of
       Onward after -> Onward (Counted (n + added before after) after)
       Hidden after -> Hidden (Counted (n + added before after) after)
