@@ -36,6 +36,7 @@ import qualified BlackHole.Image.AtomicFileSpec
 import qualified BlackHole.Image.DeflateSpec
 import qualified BlackHole.Image.FileSpec
 import qualified BlackHole.Image.GoldenSpec
+import qualified BlackHole.Image.JpegSegmentsSpec
 import qualified BlackHole.Image.PanoramaSpec
 import qualified BlackHole.Image.PngSpec
 import qualified BlackHole.Image.TileFileSpec
@@ -144,6 +145,7 @@ main = hspec $ do
   describe "BlackHole.Image.Deflate" BlackHole.Image.DeflateSpec.spec
   describe "BlackHole.Image.File" BlackHole.Image.FileSpec.spec
   describe "BlackHole.Image.Golden" BlackHole.Image.GoldenSpec.spec
+  describe "BlackHole.Image.JpegSegments" BlackHole.Image.JpegSegmentsSpec.spec
   describe "BlackHole.Image.Panorama" BlackHole.Image.PanoramaSpec.spec
   describe "BlackHole.Image.Png" BlackHole.Image.PngSpec.spec
   describe "BlackHole.Image.TileFile" BlackHole.Image.TileFileSpec.spec

@@ -11,6 +11,7 @@ module BlackHole.Image.Panorama
   )
 where
 
+import BlackHole.Image.JpegSegments (soundJpeg)
 import BlackHole.Light.Display (decodeSrgb)
 import BlackHole.Light.Radiance
 import BlackHole.Trace.SkyImage
@@ -64,6 +65,7 @@ decodePanorama bytes = case panoramaSize bytes of
       Left ("measures " ++ show width ++ " by " ++ show height ++ " pixels; a panorama is twice as wide as high")
     | width > maximumPanoramaPixels || width * height > maximumPanoramaPixels ->
       Left ("measures " ++ show width ++ " by " ++ show height ++ " pixels; a panorama may have " ++ show maximumPanoramaPixels)
+    | Bytes.pack [0xff, 0xd8] `Bytes.isPrefixOf` bytes && not (soundJpeg bytes) -> Left "is damaged"
     | otherwise -> case decodeImage bytes of
       Left _ -> Left "is damaged"
       Right decoded -> pictured decoded

@@ -9,16 +9,22 @@ import BlackHole.Cli.Run (run)
 import BlackHole.Cli.SceneOptions
 import BlackHole.Image.File (fileLabel)
 import BlackHole.Image.Label (Label (..))
+import BlackHole.Image.Panorama (readPanorama)
+import BlackHole.Light.Radiance (isFiniteRadiance)
 import BlackHole.Scene.File.SceneFile (printScene)
 import BlackHole.Scene.Preset (defaultScene)
+import BlackHole.Trace.SkyImage (skyImageMean)
+import qualified Codec.Picture as Juicy
 import Control.Exception (evaluate)
 import Control.Monad (forM_)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Characters
+import qualified Data.ByteString.Lazy as Lazy
 import Data.List (intercalate)
 import System.Exit (ExitCode (..))
 import System.FilePath ((</>))
 import System.IO.Temp (withSystemTempDirectory)
+import System.Mem (getAllocationCounter)
 import System.Timeout (timeout)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
@@ -66,7 +72,30 @@ spec = do
                 then either length (const 0) <$> openTiles [folder </> "damaged.tile"]
                 else evaluate (maybe 0 (length . fileAnswer . labelScene) (fileLabel damaged))
           outcome `shouldSatisfy` maybe False (>= 0)
+  forM_ panoramas $ \(name, whole) ->
+    it ("answers damaged panoramas within a second, without much memory: " ++ name) $
+      withSystemTempDirectory "blackhole-spec" $ \folder ->
+        forM_ [1 .. 250 :: Int] $ \_ -> do
+          damaged <- generate (oneof [mutated whole, scrambled whole])
+          Bytes.writeFile (folder </> "damaged") damaged
+          allowance <- getAllocationCounter
+          outcome <- timeout 1000000 (readPanorama (folder </> "damaged") >>= evaluate . either length (\image -> if isFiniteRadiance (skyImageMean image) then 0 else -1))
+          left <- getAllocationCounter
+          (damaged, outcome) `shouldSatisfy` maybe False (>= 0) . snd
+          (damaged, allowance - left) `shouldSatisfy` (< 1000000000) . snd
   where
+    panoramas =
+      [ ("PNG", Lazy.toStrict (Juicy.encodePng picture)),
+        ("JPEG", Lazy.toStrict (Juicy.encodeJpeg (Juicy.pixelMap (\(Juicy.PixelRGB8 r g b) -> Juicy.PixelYCbCr8 r g b) picture))),
+        ("TIFF", Lazy.toStrict (Juicy.encodeTiff picture)),
+        ("HDR", Lazy.toStrict (Juicy.encodeHDR (Juicy.pixelMap (\(Juicy.PixelRGB8 r g b) -> Juicy.PixelRGBF (fromIntegral r) (fromIntegral g) (fromIntegral b)) picture)))
+      ]
+    picture = Juicy.generateImage (\x y -> Juicy.PixelRGB8 (fromIntegral (5 * x)) (fromIntegral (9 * y)) (fromIntegral (x * y))) 48 24
+    -- A few bytes of the first hundred, where the sizes are.
+    scrambled bytes = do
+      count <- choose (1, 4 :: Int)
+      changes <- vectorOf count ((,) <$> choose (0, 100) <*> elements [0, 1, 0x7f, 0x80, 0xff])
+      pure (foldl (\b (at, byte) -> let (start, end) = Bytes.splitAt at b in start <> Bytes.cons byte (Bytes.drop 1 end)) bytes changes)
     -- All of the answer is worked out by asking for its length.
     answered answer = ioProperty (maybe False (>= 0) <$> (timeout 1000000 . evaluate . length) answer)
     seconds n answer = timeout (n * 1000000) (answer <$ evaluate (length answer))
