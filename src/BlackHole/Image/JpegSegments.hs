@@ -5,32 +5,52 @@
 -- whether such a code is possible: a single changed byte can keep it busy for ever.
 module BlackHole.Image.JpegSegments (soundJpeg) where
 
-import Data.Bits (shiftL, shiftR, (.&.))
+import Data.Bits (shiftL, shiftR, (.&.), (.|.))
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
+import Data.List (nub)
+import Data.Maybe (isJust)
+import Data.Word (Word8)
 
--- | Whether the file has one frame header, with possible sampling factors, and
--- tables of possible Huffman codes alone, up to its end or the end of its data.
--- Linear in its size.
+-- | Whether the file has one frame header, with possible sampling factors, tables of
+-- possible Huffman codes alone, and scans that refer to what is there, up to its end
+-- or the end of its data. Linear in its size.
 soundJpeg :: ByteString -> Bool
-soundJpeg bytes = Bytes.take 2 bytes == Bytes.pack [0xff, 0xd8] && segments (0 :: Int) (Bytes.drop 2 bytes)
+soundJpeg bytes = Bytes.take 2 bytes == Bytes.pack [0xff, 0xd8] && segments [] Nothing (Bytes.drop 2 bytes)
   where
-    segments frames rest = case Bytes.unpack (Bytes.take 4 rest) of
-      [0xff, 0xff, _, _] -> segments frames (Bytes.drop 1 rest)
+    -- The Huffman tables so far, and the numbers of the frame's components.
+    segments tables frame rest = case Bytes.unpack (Bytes.take 4 rest) of
+      [0xff, 0xff, _, _] -> segments tables frame (Bytes.drop 1 rest)
       [0xff, marker, high, low]
-        | marker == 0xd9 -> frames == 1
+        | marker == 0xd9 -> isJust frame
         | size < 2 || Bytes.length rest < size + 2 -> False
-        | marker == 0xc4 -> huffmanTables content && segments frames after
-        | marker == 0xda -> frames == 1 && segments frames (Bytes.drop (scanLength after) after)
-        | marker >= 0xc0 && marker <= 0xcf && marker `notElem` [0xc8, 0xcc] ->
-          frames == 0 && frameHeader content && segments (frames + 1) after
-        | otherwise -> segments frames after
+        | marker == 0xc4 -> maybe False (\new -> segments (new ++ tables) frame after) (huffmanTables content)
+        | marker == 0xda -> maybe False (scanHeader tables content) frame && segments tables frame (Bytes.drop (scanLength after) after)
+        | marker >= 0xc0 && marker <= 0xcf && marker `notElem` [0xc8, 0xcc] -> case (frame, frameHeader content) of
+          (Nothing, Just components) -> segments tables (Just components) after
+          _ -> False
+        | otherwise -> segments tables frame after
         where
           size = fromIntegral high `shiftL` 8 + fromIntegral low
           content = Bytes.drop 4 (Bytes.take (size + 2) rest)
           after = Bytes.drop (size + 2) rest
       -- Decoders go without the last marker.
-      end -> frames == 1 && take 2 end `elem` [[], [0xff], [0xff, 0xd9]]
+      end -> isJust frame && take 2 end `elem` [[], [0xff], [0xff, 0xd9]]
+
+-- | Components of the frame, each once, with tables that are there for what the
+-- scan's coefficients need.
+scanHeader :: [Word8] -> ByteString -> [Word8] -> Bool
+scanHeader tables content frame = case Bytes.unpack content of
+  count : rest
+    | (components, [from, to, _]) <- splitAt (2 * fromIntegral count) rest ->
+      let numbers = evens components
+          chosen = evens (drop 1 components)
+       in count >= 1 && count <= 4 && nub numbers == numbers && all (`elem` frame) numbers && from <= to && to <= 63
+            && all (\both -> (from > 0 || both `shiftR` 4 `elem` tables) && (to == 0 || (0x10 .|. (both .&. 15)) `elem` tables)) chosen
+  _ -> False
+  where
+    evens (a : rest) = a : evens (drop 1 rest)
+    evens [] = []
 
 -- | How far the coded data go, up to a marker that is no restart.
 scanLength :: ByteString -> Int
@@ -44,22 +64,27 @@ scanLength bytes = go 0
           | otherwise -> at + ahead
         _ -> Bytes.length bytes
 
--- | One to four components whose factors are 1 to 4.
-frameHeader :: ByteString -> Bool
+-- | The numbers of one to four components, whose factors are 1 to 4.
+frameHeader :: ByteString -> Maybe [Word8]
 frameHeader content = case Bytes.unpack content of
-  _ : _ : _ : _ : _ : count : components -> count >= 1 && count <= 4 && length components == 3 * fromIntegral count && possible components
-  _ -> False
+  _ : _ : _ : _ : _ : count : components
+    | count >= 1 && count <= 4 && length components == 3 * fromIntegral count -> possible components
+  _ -> Nothing
   where
-    possible (_ : factors : _ : others) = all (\n -> n >= 1 && n <= 4) [factors `shiftR` 4, factors .&. 15] && possible others
-    possible others = null others
+    possible (number : factors : table : others)
+      | all (\n -> n >= 1 && n <= 4) [factors `shiftR` 4, factors .&. 15] && table <= 3 = (number :) <$> possible others
+    possible [] = Just []
+    possible _ = Nothing
 
 -- | Tables one after the other: class and number, how many codes there are of each
--- length up to 16, and a symbol for each.
-huffmanTables :: ByteString -> Bool
+-- length up to 16, and a symbol for each. Their classes and numbers.
+huffmanTables :: ByteString -> Maybe [Word8]
 huffmanTables content = case Bytes.uncons content of
-  Nothing -> True
-  Just (kind, rest) ->
-    kind `shiftR` 4 <= 1 && kind .&. 15 <= 3 && Bytes.length rest >= 16 + total && total <= 256 && room <= 65536 && huffmanTables (Bytes.drop (16 + total) rest)
+  Nothing -> Just []
+  Just (kind, rest)
+    | kind `shiftR` 4 <= 1 && kind .&. 15 <= 3 && Bytes.length rest >= 16 + total && total >= 1 && total <= 256 && room <= 65536 ->
+      (kind :) <$> huffmanTables (Bytes.drop (16 + total) rest)
+    | otherwise -> Nothing
     where
       counts = map fromIntegral (Bytes.unpack (Bytes.take 16 rest)) :: [Int]
       total = sum counts

@@ -2,7 +2,6 @@ module BlackHole.Image.JpegSegmentsSpec (spec) where
 
 import BlackHole.Image.JpegSegments
 import qualified Codec.Picture as Juicy
-import Data.Bits (testBit)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import System.Directory (listDirectory)
@@ -20,21 +19,26 @@ spec = do
     soundJpeg (Bytes.take (Bytes.length plain - 2) plain) `shouldBe` True
   it "refuses more Huffman codes than there can be: the bytes that JuicyPixels never ends with" $
     soundJpeg (changed (5 + tables) 0x31) `shouldBe` False
-  it "takes three codes of one bit for too many, and two for enough" $ do
-    soundJpeg (oneTable 2) `shouldBe` True
-    soundJpeg (oneTable 3) `shouldBe` False
+  it "refuses codes that fill more than there is" $ do
+    -- The first table has one code of two bits and five of three: 7/8 of all words.
+    soundJpeg (changed (tables + 5) 1) `shouldBe` False
   it "refuses sampling factors of 0 and above 4, a second frame, and segments beyond the end" $ do
     soundJpeg (changed (frame + 11) 0) `shouldBe` False
     soundJpeg (changed (frame + 11) 0x51) `shouldBe` False
     soundJpeg (Bytes.take frame plain <> header <> Bytes.drop frame plain) `shouldBe` False
     soundJpeg (changed (frame + 2) 0xff) `shouldBe` False
     soundJpeg Bytes.empty `shouldBe` False
+  it "refuses a scan of tables that are not there, with which JuicyPixels never ends either, and of components that are not" $ do
+    soundJpeg (changed (scan + 6) 0x40) `shouldBe` False
+    soundJpeg (changed (scan + 6) 0x03) `shouldBe` False
+    soundJpeg (changed (scan + 5) 9) `shouldBe` False
+    soundJpeg (changed (scan + 7) 1) `shouldBe` False
+    soundJpeg (changed (tables + 1) 0xfd) `shouldBe` False
   where
     plain = Lazy.toStrict (Juicy.encodeJpeg (Juicy.generateImage (\x y -> Juicy.PixelYCbCr8 (fromIntegral (5 * x * y)) 99 (fromIntegral y)) 48 24))
     place marker = Bytes.length (fst (Bytes.breakSubstring (Bytes.pack [0xff, marker]) plain))
     tables = place 0xc4
     frame = place 0xc0
+    scan = place 0xda
     header = Bytes.take 19 (Bytes.drop frame plain)
     changed at byte = Bytes.take at plain <> Bytes.cons byte (Bytes.drop (at + 1) plain)
-    -- A file of one frame with one table of codes of one bit.
-    oneTable n = Bytes.concat [Bytes.pack [0xff, 0xd8], header, Bytes.pack ([0xff, 0xc4, 0, 19 + n, 0, n] ++ replicate 15 0 ++ [0 .. n - 1]), Bytes.pack [0xff, 0xda, 0, 2]] <> Bytes.filter (not . (`testBit` 7)) (Bytes.take 9 plain)
