@@ -38,6 +38,7 @@ import qualified BlackHole.Image.FileSpec
 import qualified BlackHole.Image.GoldenSpec
 import qualified BlackHole.Image.JpegSegmentsSpec
 import qualified BlackHole.Image.PanoramaSpec
+import qualified BlackHole.Image.PlainTiffSpec
 import qualified BlackHole.Image.PngSpec
 import qualified BlackHole.Image.TileFileSpec
 import qualified BlackHole.Light.BlackBodySpec
@@ -147,6 +148,7 @@ main = hspec $ do
   describe "BlackHole.Image.Golden" BlackHole.Image.GoldenSpec.spec
   describe "BlackHole.Image.JpegSegments" BlackHole.Image.JpegSegmentsSpec.spec
   describe "BlackHole.Image.Panorama" BlackHole.Image.PanoramaSpec.spec
+  describe "BlackHole.Image.PlainTiff" BlackHole.Image.PlainTiffSpec.spec
   describe "BlackHole.Image.Png" BlackHole.Image.PngSpec.spec
   describe "BlackHole.Image.TileFile" BlackHole.Image.TileFileSpec.spec
   describe "BlackHole.Light.BlackBody" BlackHole.Light.BlackBodySpec.spec

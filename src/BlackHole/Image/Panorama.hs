@@ -12,6 +12,7 @@ module BlackHole.Image.Panorama
 where
 
 import BlackHole.Image.JpegSegments (soundJpeg)
+import BlackHole.Image.PlainTiff
 import BlackHole.Light.Display (decodeSrgb)
 import BlackHole.Light.Radiance
 import BlackHole.Trace.SkyImage
@@ -30,7 +31,7 @@ import System.IO (IOMode (..), hFileSize, withBinaryFile)
 maximumPanoramaPixels :: Int
 maximumPanoramaPixels = 8192 * 4096
 
--- | Read an equirectangular picture, twice as wide as high: PNG, JPEG, TIFF or
+-- | Read an equirectangular picture, twice as wide as high: PNG, JPEG, plain TIFF or
 -- Radiance HDR. Files with 8 or 16 bits a channel are taken for sRGB, those of
 -- floating-point numbers for linear. 'Left' with a message without the file's
 -- name. About 0.2 µs a pixel.
@@ -65,10 +66,22 @@ decodePanorama bytes = case panoramaSize bytes of
       Left ("measures " ++ show width ++ " by " ++ show height ++ " pixels; a panorama is twice as wide as high")
     | width > maximumPanoramaPixels || width * height > maximumPanoramaPixels ->
       Left ("measures " ++ show width ++ " by " ++ show height ++ " pixels; a panorama may have " ++ show maximumPanoramaPixels)
-    | Bytes.pack [0xff, 0xd8] `Bytes.isPrefixOf` bytes && not (soundJpeg bytes) -> Left "is damaged"
-    | otherwise -> case decodeImage bytes of
-      Left _ -> Left "is damaged"
-      Right decoded -> pictured decoded
+    | Bytes.isPrefixOf (Bytes.pack [0x89]) bytes -> case Bytes.unpack (Bytes.take 1 (Bytes.drop 28 bytes)) of
+      -- JuicyPixels can leave its memory over a damaged interlaced one.
+      [0] -> decodedBy decodePng
+      _ -> Left "is interlaced, or damaged; save it without interlacing"
+    | Bytes.isPrefixOf (Bytes.pack [0xff]) bytes -> if soundJpeg bytes then decodedBy decodeJpeg else Left "is damaged"
+    | Bytes.isPrefixOf (Char8.pack "#?") bytes -> decodedBy decodeHDR
+    | otherwise -> maybe (Left "is damaged, or not a plain TIFF: 8 or 16 bits or floating-point numbers, not compressed") plain (readPlainTiff bytes)
+  where
+    -- Each kind by its own decoder: one that tries all of them takes a damaged file
+    -- for a Targa, which has no mark, of any size.
+    decodedBy decoder = either (const (Left "is damaged")) pictured (decoder bytes)
+    plain tiff = maybe (Left "is empty") Right (skyImageFromPixels (tiffWidth tiff) (tiffHeight tiff) (\i j -> light (tiffFloating tiff) (tiffSamples tiff i j)))
+    light floating (r, g, b)
+      | floating = Radiance (positive r) (positive g) (positive b)
+      | otherwise = Radiance (linear r) (linear g) (linear b)
+    linear = decodeSrgb . realToFrac
 
 -- | Width and height that a file's header claims; 'Nothing' for other kinds of
 -- files, and for headers that end too early. Linear in the number of a JPEG's
@@ -136,11 +149,12 @@ pictured decoded = case decoded of
     code8 v = U.unsafeIndex codes (fromIntegral v)
     code16 v = decodeSrgb (fromIntegral v / 65535)
     codes = U.generate 256 (\v -> decodeSrgb (fromIntegral v / 255))
-    -- Light is neither negative nor infinite, whatever a file says.
-    positive :: Float -> Double
-    positive v
-      | v > 0 = min 1e6 (realToFrac v)
-      | otherwise = 0
+
+-- | Light is neither negative nor infinite, whatever a file says.
+positive :: Float -> Double
+positive v
+  | v > 0 = min 1e6 (realToFrac v)
+  | otherwise = 0
 
 made :: Pixel pixel => Image pixel -> (pixel -> Radiance) -> Either String SkyImage
 made image light = maybe (Left "is empty") Right (skyImageFromPixels width height (\i j -> light (pixelAt image i j)))
