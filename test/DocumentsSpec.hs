@@ -5,12 +5,12 @@ import BlackHole.Cli.Help (topicNames)
 import BlackHole.Cli.Options (Parsed (..), parseArguments)
 import qualified Codec.Picture as Juicy
 import Control.Applicative ((<|>))
-import Control.Monad (forM_, unless, when)
+import Control.Monad (filterM, forM_, unless, when)
 import Data.Char (isAlpha, isSpace, isUpper)
 import Data.List (dropWhileEnd, isInfixOf, isPrefixOf, isSuffixOf, nub, sort, stripPrefix)
 import Data.Maybe (isJust, mapMaybe)
 import GHC.IO.Encoding (setFileSystemEncoding, setLocaleEncoding, utf8)
-import System.Directory (copyFile, createDirectoryIfMissing, doesFileExist, findExecutable, listDirectory)
+import System.Directory (copyFile, createDirectoryIfMissing, doesFileExist, doesPathExist, findExecutable, listDirectory)
 import System.Exit (ExitCode (..))
 import System.FilePath (takeDirectory, takeExtension, (</>))
 import System.IO.Temp (withSystemTempDirectory)
@@ -36,10 +36,29 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
     length found `shouldSatisfy` (>= 40)
   forM_ documents $ \document ->
     it ("work in " ++ document) $ readFile document >>= allWork . commandLines
+  it "the README has every option of render in its table, and no other" $ do
+    readme <- readFile "README.md"
+    let table = takeWhile (not . isPrefixOf "Lengths") (dropWhile (not . isPrefixOf "| option") (lines readme))
+        options = filter ("--" `isPrefixOf`) . words . map (\c -> if c `elem` "`,()" then ' ' else c)
+        listed = concatMap (options . takeWhile (/= '|') . drop 1) (filter (isPrefixOf "| `") table)
+    sort listed `shouldBe` sort (nub listed)
+    (listed, concatMap options' (lines (helpOf "render"))) `shouldSatisfy` \(a, b) -> sort (nub a) == sort (nub b)
+  it "links of the documents lead to files" $ do
+    targets <- concat <$> mapM (\document -> map (takeDirectory document </>) . links <$> readFile document) documents
+    missing <- filterM (fmap not . doesPathExist) (nub targets)
+    length targets `shouldSatisfy` (> 40)
+    missing `shouldBe` []
   it "work in the program's help" $
     allWork (nub (concatMap (commandLines . unlines . mapMaybe shown . filter ("blackhole " `isInfixOf`) . filter (not . isPrefixOf "   ") . lines . helpOf) (topicNames ++ commands)))
   where
     commands = ["render", "animate", "join", "scene", "photon", "rays", "selftest"]
+    -- The first column of the help is two spaces wide.
+    options' line = case line of
+      ' ' : ' ' : '-' : _ -> filter ("--" `isPrefixOf`) (words (filter (/= ',') (take 24 line)))
+      _ -> []
+    links text = case stripPrefix "](" text of
+      Just rest | target <- takeWhile (`notElem` "#)") rest, not (null target), not ("http" `isPrefixOf` target) -> target : links rest
+      _ -> maybe [] (links . drop 1) (if null text then Nothing else Just text)
     shown line = ("    " ++) <$> (stripPrefix "Example: " line <|> stripPrefix "  " line)
     helpOf word = case parseArguments "" ["help", word] of
       Inform text -> text
