@@ -7,6 +7,7 @@
 module BlackHole.Trace.Pixel
   ( Tracer,
     tracer,
+    tracerUnder,
     tracerTables,
     addSamples,
     addSamplesToThree,
@@ -47,6 +48,7 @@ import BlackHole.Trace.Gas
 import BlackHole.Trace.Grid
 import BlackHole.Trace.Sampling
 import BlackHole.Trace.Sky
+import BlackHole.Trace.SkyImage (SkyImage)
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ, (*^))
 import qualified BlackHole.Vector.XYZ as XYZ
@@ -75,10 +77,17 @@ data Matter
   | Gaseous !Gas
 
 -- | Make a scene ready. 'Nothing' if its camera looks nowhere
--- ('cameraFrame'); a validated scene has none of that.
+-- ('cameraFrame'), which no validated scene has, or its sky is a panorama: that
+-- needs 'tracerUnder'.
 tracer :: Scene -> Maybe Tracer
-tracer scene = do
+tracer = tracerUnder Nothing
+
+-- | The same with the picture of the sky if the scene's is a panorama
+-- ('neededPicture').
+tracerUnder :: Maybe SkyImage -> Scene -> Maybe Tracer
+tracerUnder picture scene = do
   frame <- cameraFrame (sceneCamera scene)
+  sky <- shader
   pure
     Tracer
       { tracerPlane = picturePlane (sceneCamera scene) (scenePicture scene) frame,
@@ -98,9 +107,9 @@ tracer scene = do
     table = lensTable (XYZ.norm place)
     place = posePosition (cameraPose (sceneCamera scene))
     seed = sceneSeed scene
-    sky
-      | sceneDebugTextures scene = ByDirection (const gridRadiance)
-      | otherwise = skyShader seed (sceneSky scene)
+    shader
+      | sceneDebugTextures scene = Just (ByDirection (const gridRadiance))
+      | otherwise = skyShader picture seed (sceneSky scene)
     matter = case sceneDisk scene of
       Nothing -> Vacuum
       Just disk
