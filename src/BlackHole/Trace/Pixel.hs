@@ -67,7 +67,8 @@ data Tracer = Tracer
     tracerMatter :: Matter,
     -- | The paths through the camera's place.
     tracerTable :: LensTable,
-    tracerSky :: !SkyShader
+    -- | Likewise.
+    tracerSky :: SkyShader
   }
 
 -- | What shines along the way.
@@ -120,7 +121,7 @@ tracerUnder picture scene = do
 -- the others. Without, the first ray that needs it waits for it.
 tracerTables :: Tracer -> [()]
 tracerTables traced =
-  [tracerMatter traced `seq` ()]
+  [tracerMatter traced `seq` (), tracerSky traced `seq` ()]
     ++ [tracerTable traced `seq` () | sceneIntegrator (tracerScene traced) == Tabulated]
 
 -- | Follow a line of sight by the scene's own integrator and hand the stretches

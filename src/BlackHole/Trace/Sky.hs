@@ -59,9 +59,10 @@ neededPicture scene = case sceneSky scene of
 -- | Point stars before the Milky Way.
 pointStarRadiance :: Word64 -> PointStars -> Double -> Beam -> Radiance
 pointStarRadiance seed stars
-  | pointStarsMilkyWay stars > 0 = \g beam ->
-    starFieldRadiance field g beam <+> scaleRadiance (pointStarsMilkyWay stars * (g * g * (g * g))) (skyImageRadiance band beam)
-  | otherwise = starFieldRadiance field
+  | pointStarsMilkyWay stars > 0 =
+    band `seq` field `seq` \g beam ->
+      starFieldRadiance field g beam <+> scaleRadiance (pointStarsMilkyWay stars * (g * g * (g * g))) (skyImageRadiance band beam)
+  | otherwise = field `seq` starFieldRadiance field
   where
     field = starField (1e-6 * pointStarsBrightness stars) (starCatalogue (purposeSeed seed StarPlaces) (pointStarsCount stars))
     band = milkyWay (purposeSeed seed GalacticClouds)
