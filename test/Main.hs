@@ -80,6 +80,7 @@ import qualified BlackHole.Render.PixelRowsSpec
 import qualified BlackHole.Render.PixelShapeSpec
 import qualified BlackHole.Render.ShardSpec
 import qualified BlackHole.Render.SharedSpec
+import qualified BlackHole.Render.StarFilmSpec
 import qualified BlackHole.Render.WorkersSpec
 import qualified BlackHole.Scene.CameraSpec
 import qualified BlackHole.Scene.File.SceneFileSpec
@@ -187,6 +188,7 @@ main = hspec $ do
   describe "BlackHole.Render.PixelShape" BlackHole.Render.PixelShapeSpec.spec
   describe "BlackHole.Render.Shard" BlackHole.Render.ShardSpec.spec
   describe "BlackHole.Render.Shared" BlackHole.Render.SharedSpec.spec
+  describe "BlackHole.Render.StarFilm" BlackHole.Render.StarFilmSpec.spec
   describe "BlackHole.Render.Workers" BlackHole.Render.WorkersSpec.spec
   describe "BlackHole.Scene.Camera" BlackHole.Scene.CameraSpec.spec
   describe "BlackHole.Scene.File.SceneFile" BlackHole.Scene.File.SceneFileSpec.spec

@@ -29,6 +29,7 @@ import BlackHole.Trace.Beam
 import BlackHole.Trace.SkyImage
 import BlackHole.Trace.StarCatalogue
 import BlackHole.Vector.XYZ (XYZ (..))
+import qualified BlackHole.Vector.XYZ as XYZ
 import Control.Monad (forM_)
 import Data.Int (Int32)
 import qualified Data.Vector.Unboxed as U
@@ -146,25 +147,30 @@ kernelRadius = 1.5
 -- A beam of a pixel's size costs some 80 ns without a star in it and 0.1 µs more
 -- for each star that is.
 starFieldRadiance :: StarField -> Double -> Beam -> Radiance
-starFieldRadiance (StarField tiers) g beam@(Beam (XYZ dx dy dz) _ _)
+starFieldRadiance (StarField tiers) g beam@(Beam (XYZ dx dy dz) a b)
   | isNaN (extent + dx + dy + dz) || isInfinite extent = scaleRadiance g4 (foldMap (skyImageMean . tierBlurred) tiers)
   | otherwise = scaleRadiance g4 (go black tiers)
   where
     !g4 = g * g * (g * g)
     !extent = kernelRadius * beamExtent beam
     !area = abs (beamSolidAngle beam)
-    -- A beam that is squeezed into a line changes across its own width (it lies
-    -- on a critical curve of the lens): to say of a star how bright it is there
-    -- takes more than a Jacobian, and a wrong guess would sparkle.
-    !sharpness = max 0 (min 1 (area / (squeezed * extent * extent) - 1))
+    !breadth = XYZ.dot a a + XYZ.dot b b
+    -- On a critical curve of the lens the beam is squeezed into a line, and
+    -- within its own width the light of a star grows beyond all bounds: to say
+    -- how far takes more than a Jacobian, and a wrong guess would sparkle. So
+    -- within some two pixels of the curve a star is as bright as there.
+    !weight = 1 / max area (breadth * min squeezed (4 * sqrt breadth))
     look = lookThrough g extent beam
     go !light [] = light
     go !light (t : rest)
-      | share >= 1 = go (light <+> scaleRadiance (1 / area) (tierPoints look t)) rest
+      | share >= 1 = go (light <+> points t) rest
       | share <= 0 = go (light <+> blurred t) rest
-      | otherwise = go (light <+> scaleRadiance (share / area) (tierPoints look t) <+> scaleRadiance (1 - share) (blurred t)) rest
+      | otherwise = go (light <+> scaleRadiance share (points t) <+> scaleRadiance (1 - share) (blurred t)) rest
       where
-        share = sharpness * max 0 (min 1 (2 - 2 * extent / tierLimit t))
+        share = max 0 (min 1 (2 - 2 * extent / tierLimit t))
+    points t
+      | area > 1e-9 * breadth = scaleRadiance weight (tierPoints look t)
+      | otherwise = black
     blurred t = warmed (skyImageRadiance (tierBlurred t) beam)
     -- The mixture has about the colour of one black body.
     warmed light
@@ -175,10 +181,12 @@ starFieldRadiance (StarField tiers) g beam@(Beam (XYZ dx dy dz) _ _)
     ratio (Radiance r' g' b') (Radiance r'' g'' b'') (Radiance r0 g0 b0) =
       Radiance (r0 * r' / r'') (g0 * g' / g'') (b0 * b' / b'')
 
--- | Solid angle of a beam's pixel, over its extent squared, below which single
--- stars count for nothing: that of an ellipse of some 1 : 60.
+-- | How slender an ellipse is taken for its word, as the shorter axis over the
+-- longer one. Where pixels are fine, so is the change from one to the next, and
+-- more slender ones are taken: an Einstein ring of radius ρ has one of δ\/ρ at δ
+-- pixels from it.
 squeezed :: Double
-squeezed = 5e-3
+squeezed = 1 / 60
 
 -- | Colour temperature of the mixture of all stars, in kelvin.
 meanTemperature :: Double
