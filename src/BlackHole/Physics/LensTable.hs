@@ -26,16 +26,18 @@ module BlackHole.Physics.LensTable
     lensTableSize,
     lensSweep,
     lensEnd,
-    lensTurning,
+    lensSlope,
+    lensParameter,
   )
 where
 
+import BlackHole.Numeric.Parallel (inParallel)
 import BlackHole.Physics.Orbit
 import BlackHole.Physics.Radii (criticalImpactParameter)
 import BlackHole.Physics.Sweep
-import Control.Monad (when, zipWithM_)
+import Control.Monad (when)
 import Control.Monad.ST (ST)
-import Data.Bits (unsafeShiftR, (.&.))
+import Data.Bits (unsafeShiftL, unsafeShiftR, (.&.))
 import Data.Foldable (for_)
 import Data.Primitive.PrimArray
 import GHC.Float (castDoubleToWord64)
@@ -64,9 +66,7 @@ lensTable r =
   LensTable
     { tableFamily = family,
       tableBlocks = primArrayFromList (concat (zipWith (\o b -> [o, blockCells b]) offsets blocks)),
-      tableNumbers = runPrimArray $ do
-        numbers <- newPrimArray (sum (map blockSize blocks))
-        numbers <$ zipWithM_ (fillBlock numbers family) offsets blocks
+      tableNumbers = mconcat (inParallel (map (blockNumbers family) blocks))
     }
   where
     family = Family r (if r > 1 then sqrt (1 - 1 / r) else sqrt (1 / r)) (criticalParameter r)
@@ -194,17 +194,20 @@ memberAt family w = Member (signum t) (orbit (familyRadius family) radial (abs t
     -- A radial photon sweeps no angle to speak of; its neighbour does.
     t = if abs tangential < 1e-12 then 1e-12 else tangential
 
-fillBlock :: MutablePrimArray s Double -> Family -> Int -> Block -> ST s ()
-fillBlock numbers family offset b =
-  when (cells > 0) $ for_ [0 .. segmentCount] row
+-- | The rows of a block, one after the other.
+blockNumbers :: Family -> Block -> PrimArray Double
+blockNumbers family b = runPrimArray $ do
+  numbers <- newPrimArray (blockSize b)
+  numbers <$ when (cells > 0) (for_ [0 .. segmentCount] (row numbers))
   where
     !cells = blockCells b
-    row i = do
+    row :: MutablePrimArray s Double -> Int -> ST s ()
+    row numbers i = do
       let at t = memberAt family (blockFirst b + (fromIntegral i + t) * blockStep b)
           before@(Member sign0 path0) = at (negate apart)
           here@(Member sign1 path1) = at 0
           after@(Member sign2 path2) = at apart
-          first = offset + i * rowSize cells
+          first = i * rowSize cells
           put k v0 v1 v2 = do
             writePrimArray numbers (first + 2 * k) v1
             writePrimArray numbers (first + 2 * k + 1) ((v2 - v0) / (2 * apart))
@@ -322,22 +325,24 @@ closedForm table radial tangential = orbitSweep (orbit (lensTableRadius table) r
 closest :: Double
 closest = 0.5 ^^ octaveCount
 
--- | How the angle swept up to infinity changes between two neighbouring photons
--- of unit energy, each given by its radial and tangential velocity: the
--- difference of their parameters times the slope at the first. 'Nothing' where
--- the first does not escape or is closer to the critical one than the table.
-lensTurning :: LensTable -> (Double, Double) -> (Double, Double) -> Maybe Double
-lensTurning table (radial, tangential) (radial', tangential') = case find table radial tangential of
+-- | How the angle swept up to infinity changes with the 'lensParameter', at a
+-- photon of unit energy given by its radial and tangential velocity. 'Nothing'
+-- where that does not escape or is closer to the critical one than the table.
+lensSlope :: LensTable -> Double -> Double -> Maybe Double
+lensSlope table radial tangential = case find table radial tangential of
   Between row cells t octave False ->
     let row' = row + rowSize cells
         at = indexPrimArray (tableNumbers table)
-        change = parameter radial tangential - parameter radial' tangential'
-        -- The derivative of Hermite's interpolation, over the length of a segment.
-        slope =
-          (6 * t * (t - 1) * (at row - at row') + (1 - t) * (1 - 3 * t) * at (row + 1) + t * (3 * t - 2) * at (row' + 1))
-            * fromIntegral segmentCount
-            * 2 ^^ (octave + 1)
-     in Just (slope * change)
+     in -- The derivative of Hermite's interpolation, over the length of a segment:
+        -- an octave of them is 2^-(octave + 1) long.
+        Just $
+          negate (6 * t * (t - 1) * (at row - at row') + (1 - t) * (1 - 3 * t) * at (row + 1) + t * (3 * t - 2) * at (row' + 1))
+            * fromIntegral (segmentCount * 2 `unsafeShiftL` octave)
   _ -> Nothing
-  where
-    parameter = parameterOf (tableFamily table)
+{-# INLINE lensSlope #-}
+
+-- | The table's parameter of a photon of unit energy, by its radial and
+-- tangential velocity. It grows towards the hole.
+lensParameter :: LensTable -> Double -> Double -> Double
+lensParameter = parameterOf . tableFamily
+{-# INLINE lensParameter #-}

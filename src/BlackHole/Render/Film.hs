@@ -19,7 +19,7 @@ import BlackHole.Light.Display
 import BlackHole.Light.Dither (Dither)
 import BlackHole.Light.Radiance
 import BlackHole.Render.PixelArray
-import BlackHole.Render.PixelRows (mapRows, pixelChannels)
+import BlackHole.Render.PixelRows (mapRows, pixelChannels, pixelRow)
 import BlackHole.Render.PixelShape
 import BlackHole.Render.Shared (mapShared)
 import BlackHole.Render.Workers (Workers)
@@ -31,12 +31,12 @@ import BlackHole.Trace.Pixel
 import BlackHole.Trace.SkyImage (SkyImage)
 import Control.Monad (when)
 import Control.Monad.ST (ST)
-import Data.Foldable (for_)
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as Vector
 import Data.Vector.Storable.Mutable (MVector)
 import qualified Data.Vector.Storable.Mutable as MVector
 import Data.Word (Word16, Word8)
+import System.Mem (performMajorGC)
 
 -- | Linear radiance in three channels, row by row from the top.
 type Film = PixelArray Float
@@ -62,21 +62,46 @@ exposeRows = exposeRowsUnder Nothing
 exposeRowsUnder :: Maybe SkyImage -> Workers -> (Int -> IO ()) -> Scene -> (Int, Int) -> IO (Maybe Film)
 exposeRowsUnder picture crew progress scene (first, rows)
   | first < 0 || first > height - rows = pure Nothing
-  | otherwise = case (,,) <$> pixelShape width rows 3 <*> pixelShape width haloRows sumCount <*> tracerUnder picture scene of
+  | otherwise = case (,) <$> pixelShape width rows 3 <*> tracerUnder picture scene of
     Nothing -> pure Nothing
-    Just (shape, haloShape, traced) -> do
+    Just (shape, traced) -> do
       _ <- mapShared crew pure (tracerTables traced)
       if mostSamples scene > sceneSamples scene
-        then do
-          sums <- generateRows crew (progress . (`quot` 2)) haloShape (sumRow traced width . (haloFirst +))
-          Just <$> generateRows crew (progress . quot' . (rows +)) shape (refineRow traced width haloFirst sums . (first +))
+        then refineRows crew progress traced shape first
         else Just <$> generateRows crew progress shape (traceRow traced width . (first +))
   where
     Picture width height = scenePicture scene
-    quot' n = (n + 1) `quot` 2
-    -- Whether a pixel needs more samples is for its neighbours to say, too.
-    haloFirst = max 0 (first - 1)
-    haloRows = min height (first + rows + 1) - haloFirst
+
+-- | What 'exposeRows' does for adaptive sampling: the first samples of some rows,
+-- then, as all their neighbours are known, the further ones of these rows, and on
+-- to the next. So many rows at a time that the workers seldom wait for each other,
+-- and that the sums of all samples need little memory in a large picture.
+refineRows :: Workers -> (Int -> IO ()) -> Tracer -> PixelShape -> Int -> IO (Maybe Film)
+refineRows crew progress traced shape first = go 0 Nothing []
+  where
+    Picture width height = scenePicture (tracedScene traced)
+    rows = shapeHeight shape
+    go from before done
+      | from >= rows = pure (fromPixelVector shape (joined (reverse done)))
+      | otherwise = case (,) <$> pixelShape width count 3 <*> pixelShape width haloRows sumCount of
+        Nothing -> pure Nothing
+        Just (bandShape, haloShape) -> do
+          sums <- generateRows crew (progress . (from +) . (`quot` 2)) haloShape $ \y row ->
+            case before >>= \(beforeFirst, known) -> pixelRow known (haloFirst + y - beforeFirst) of
+              Just known -> Vector.unsafeCopy row known
+              Nothing -> sumRow traced width (haloFirst + y) row
+          band <- generateRows crew (progress . (from +) . half . (count +)) bandShape (refineRow traced width haloFirst sums . (first + from +))
+          -- The sums are the largest thing there is.
+          when (from + count < rows) performMajorGC
+          go (from + count) (Just (haloFirst, sums)) (toPixelVector band : done)
+      where
+        count = min 256 (rows - from)
+        -- Whether a pixel needs more samples is for its neighbours to say, too.
+        haloFirst = max 0 (first + from - 1)
+        haloRows = min height (first + from + count + 1) - haloFirst
+    half n = (n + 1) `quot` 2
+    joined [whole] = whole
+    joined parts = Vector.concat parts
 
 -- | Trace one row into its part of the film.
 traceRow :: Tracer -> Int -> Int -> MVector s Float -> ST s ()
@@ -127,22 +152,22 @@ writeRadiance pixels column (Radiance r g b) = do
 sumRow :: Tracer -> Int -> Int -> MVector s Float -> ST s ()
 sumRow traced !width !row sums =
   forThrees width (firstSamples traced width row) $ \column estimate ->
-    for_ (zip [0 ..] (estimateSums estimate)) $ \(k, v) ->
+    forSums estimate $ \k v ->
       MVector.unsafeWrite sums (sumCount * column + k) (realToFrac v)
-
--- | Numbers of an estimate without its count, which is the same everywhere.
-sumCount :: Int
-sumCount = 9
 
 -- | Finish one row, given the first sums and the number of their first row.
 refineRow :: Tracer -> Int -> Int -> PixelArray Float -> Int -> MVector s Float -> ST s ()
-refineRow traced !width !sumsFirst sums !row pixels = for_ [0 .. width - 1] $ \column ->
-  writeRadiance pixels column (estimatedRadiance (refinedEstimate traced first column row))
+refineRow traced !width !sumsFirst sums !row pixels = go 0
   where
-    count = sceneSamples (tracedScene traced)
-    first c r = case pixelChannels sums c (r - sumsFirst) of
-      Just v -> estimateFromSums count (realToFrac . Vector.unsafeIndex v)
-      Nothing -> noSamples
+    go !column = when (column < width) $ do
+      writeRadiance pixels column (estimatedRadiance (refinedEstimate traced uncertain (first column) column row))
+      go (column + 1)
+    scene = tracedScene traced
+    !numbers = toPixelVector sums
+    sumOf :: Int -> Int -> Int -> Double
+    sumOf c r k = realToFrac (Vector.unsafeIndex numbers (sumCount * (width * (r - sumsFirst) + c) + k))
+    first c = estimateFromSums (sceneSamples scene) (sumOf c row)
+    uncertain c r = uncertainEstimate scene (sumOf c r seenPlace) (sumOf c r (seenPlace + 1))
 
 -- | What an 8-bit sRGB display is told: exposure, tone map, coding and dither.
 developFilm :: Workers -> Exposure -> ToneMap -> Dither -> Film -> IO (PixelArray Word8)

@@ -272,16 +272,14 @@ tracedSky traced point sight fate = case fate of
 tracedBeam :: Tracer -> XY -> SightLine -> XYZ -> Maybe Beam
 tracedBeam traced point@(XY x y) sight direction = case sceneSpacetime (tracerScene traced) of
   Schwarzschild
-    | Just alongX <- change (XY (x + step) y),
-      Just alongY <- change (XY x (y + step)) ->
-      Just (Beam direction alongX alongY)
+    | Just beside <- tracedSight traced (XY (x + step) y),
+      Just below <- tracedSight traced (XY x (y + step)),
+      Just (LensChanges alongX alongY) <-
+        lensChanges (tracerTable traced) (sightPhoton sight) direction (sightPhoton beside) (sightPhoton below) ->
+      Just (Beam direction ((1 / step) *^ alongX) ((1 / step) *^ alongY))
   _ -> beamByDifferences escape point
   where
     step = 0.01
-    change beside = do
-      neighbour <- tracedSight traced beside
-      moved <- lensChange (tracerTable traced) (sightPhoton sight) direction (sightPhoton neighbour)
-      pure ((1 / step) *^ moved)
     clear = traced {tracerRegion = emptyRegion}
     escape beside = do
       found <- tracedSight traced beside
