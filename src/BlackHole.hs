@@ -40,11 +40,12 @@ where
 
 import BlackHole.Cli.SceneOptions (SceneOptions (..))
 import qualified BlackHole.Cli.SceneOptions as SceneOptions
+import BlackHole.Cli.SkyFile (SkyFile (..), loadSky)
 import BlackHole.Image.AtomicFile (renderWriteProblem, writeFileAtomically)
 import BlackHole.Image.Coding (Format, defaultCoding, formatExtensions, formatOf)
 import BlackHole.Image.Finish (finishFilm)
 import BlackHole.Light.Radiance (Radiance (..))
-import BlackHole.Render.Film (Film, exposeFilm, filmRadiance)
+import BlackHole.Render.Film (Film, exposeFilmUnder, filmRadiance)
 import BlackHole.Render.PixelArray (pixelArrayShape)
 import BlackHole.Render.PixelShape (shapeHeight, shapeWidth)
 import BlackHole.Render.Workers (Workers, defaultWorkers, withWorkers)
@@ -98,14 +99,17 @@ settingNames = map fieldPath sceneFields
 printScene :: Scene -> String
 printScene = SceneFile.printScene []
 
--- | Trace a scene's light with all processors; the first argument hears how many
+-- | Trace a scene's light with all processors, after reading the picture of its sky
+-- if that is a file; the first argument hears how many
 -- rows are done. The numbers are the same for any number of processors. 'Left'
 -- holds what is wrong with the scene. From 0.1 µs for a ray through empty space to
 -- some microseconds for one through the gas.
 renderFilm :: (Int -> IO ()) -> Scene -> IO (Either [String] Film)
 renderFilm progress scene = case map renderProblem (validateScene scene) of
-  [] -> maybe (Left ["this scene can't be traced"]) Right <$> crewed (\crew -> exposeFilm crew progress scene)
+  [] -> loadSky scene >>= either (pure . Left . pure) (crewed . under)
   problems -> pure (Left problems)
+  where
+    under sky crew = maybe (Left ["this scene can't be traced"]) Right <$> exposeFilmUnder (skyFileImage <$> sky) crew progress scene
 
 -- | A film's width and height in pixels.
 filmSize :: Film -> (Int, Int)

@@ -26,6 +26,7 @@ import qualified BlackHole.Cli.ProgressSpec
 import qualified BlackHole.Cli.RaysSpec
 import qualified BlackHole.Cli.RunSpec
 import qualified BlackHole.Cli.SelfTestSpec
+import qualified BlackHole.Cli.SkyFileSpec
 import qualified BlackHole.Cli.SoakSpec
 import qualified BlackHole.Cli.StatsSpec
 import qualified BlackHole.Figure.FigureSpec
@@ -75,11 +76,13 @@ import qualified BlackHole.Physics.SweptPathSpec
 import qualified BlackHole.Physics.ThinDiskSpec
 import qualified BlackHole.Render.BloomSpec
 import qualified BlackHole.Render.FilmSpec
+import qualified BlackHole.Render.PanoramaFilmSpec
 import qualified BlackHole.Render.PixelArraySpec
 import qualified BlackHole.Render.PixelRowsSpec
 import qualified BlackHole.Render.PixelShapeSpec
 import qualified BlackHole.Render.ShardSpec
 import qualified BlackHole.Render.SharedSpec
+import qualified BlackHole.Render.StarFilmSpec
 import qualified BlackHole.Render.WorkersSpec
 import qualified BlackHole.Scene.CameraSpec
 import qualified BlackHole.Scene.File.SceneFileSpec
@@ -136,6 +139,7 @@ main = hspec $ do
   describe "BlackHole.Cli.Rays" BlackHole.Cli.RaysSpec.spec
   describe "BlackHole.Cli.Run" BlackHole.Cli.RunSpec.spec
   describe "BlackHole.Cli.SelfTest" BlackHole.Cli.SelfTestSpec.spec
+  describe "BlackHole.Cli.SkyFile" BlackHole.Cli.SkyFileSpec.spec
   describe "BlackHole.Cli.Soak" BlackHole.Cli.SoakSpec.spec
   describe "BlackHole.Cli.Stats" BlackHole.Cli.StatsSpec.spec
   describe "BlackHole.Figure.Figure" BlackHole.Figure.FigureSpec.spec
@@ -185,11 +189,13 @@ main = hspec $ do
   describe "BlackHole.Physics.ThinDisk" BlackHole.Physics.ThinDiskSpec.spec
   describe "BlackHole.Render.Bloom" BlackHole.Render.BloomSpec.spec
   describe "BlackHole.Render.Film" BlackHole.Render.FilmSpec.spec
+  describe "BlackHole.Render.PanoramaFilm" BlackHole.Render.PanoramaFilmSpec.spec
   describe "BlackHole.Render.PixelArray" BlackHole.Render.PixelArraySpec.spec
   describe "BlackHole.Render.PixelRows" BlackHole.Render.PixelRowsSpec.spec
   describe "BlackHole.Render.PixelShape" BlackHole.Render.PixelShapeSpec.spec
   describe "BlackHole.Render.Shard" BlackHole.Render.ShardSpec.spec
   describe "BlackHole.Render.Shared" BlackHole.Render.SharedSpec.spec
+  describe "BlackHole.Render.StarFilm" BlackHole.Render.StarFilmSpec.spec
   describe "BlackHole.Render.Workers" BlackHole.Render.WorkersSpec.spec
   describe "BlackHole.Scene.Camera" BlackHole.Scene.CameraSpec.spec
   describe "BlackHole.Scene.File.SceneFile" BlackHole.Scene.File.SceneFileSpec.spec

@@ -77,6 +77,7 @@ valueOf kind = case kind of
   SeedKind -> SeedValue <$> oneof [arbitrary, pure maxBound]
   SwitchKind -> SwitchValue <$> arbitrary
   ChoiceKind _ choices -> NameValue . fst <$> elements choices
+  ChoiceOrFileKind _ choices _ -> oneof [NameValue . fst <$> elements choices, FileValue <$> elements ["sky.png", "../a b/it's #1: sky.hdr", "/x/\228\8364.jpg", "'.' "]]
   VectorKind -> do
     Coordinates place <- arbitrary
     pure (VectorValue place)

@@ -4,11 +4,12 @@ module BlackHole.Animation.Exposure
   )
 where
 
-import BlackHole.Render.Film (Film, exposeFilm)
+import BlackHole.Render.Film (Film, exposeFilmUnder)
 import BlackHole.Render.PixelArray (fromPixelVector, pixelArrayShape, toPixelVector)
 import BlackHole.Render.Workers (Workers)
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
+import BlackHole.Trace.SkyImage (SkyImage)
 import Control.Monad (join)
 import Data.Foldable (foldlM)
 import Data.List.NonEmpty (NonEmpty (..))
@@ -16,9 +17,11 @@ import qualified Data.Vector.Storable as Vector
 
 -- | Trace every moment and average their linear light. The callback hears what
 -- part of all rows is done. Memory is that of two films for any number of moments.
--- 'Nothing' if a scene is not valid or their pictures differ in size.
-exposeMoments :: Workers -> (Double -> IO ()) -> NonEmpty Scene -> IO (Maybe Film)
-exposeMoments crew progress (first :| rest) = do
+-- The first argument is the picture of the sky if the scenes' is a panorama, which
+-- has to be one and the same for all. 'Nothing' if a scene is not valid or their
+-- pictures differ in size.
+exposeMoments :: Maybe SkyImage -> Workers -> (Double -> IO ()) -> NonEmpty Scene -> IO (Maybe Film)
+exposeMoments sky crew progress (first :| rest) = do
   start <- expose 0 first
   total <- foldlM next start (zip [1 ..] rest)
   pure (total >>= divided)
@@ -27,7 +30,7 @@ exposeMoments crew progress (first :| rest) = do
     expose :: Int -> Scene -> IO (Maybe Film)
     expose k scene =
       let rows = max 1 (pictureHeight (scenePicture scene))
-       in exposeFilm crew (\done -> progress ((fromIntegral k + fromIntegral done / fromIntegral rows) / fromIntegral count)) scene
+       in exposeFilmUnder sky crew (\done -> progress ((fromIntegral k + fromIntegral done / fromIntegral rows) / fromIntegral count)) scene
     next before (k, scene) = do
       light <- expose k scene
       pure $! join (plus <$> before <*> light)

@@ -23,6 +23,7 @@ import BlackHole.Animation.Video (VideoKind)
 import qualified BlackHole.Render.Film as Light
 import BlackHole.Render.Workers (Workers)
 import BlackHole.Scene.Scene
+import BlackHole.Trace.SkyImage (SkyImage)
 import Control.Concurrent.MVar (modifyMVar_, newMVar, readMVar)
 import Control.Exception (onException)
 import Control.Monad (forM_, join, when)
@@ -45,7 +46,9 @@ data Shooting = Shooting
     shootingWorkers :: !Workers,
     -- | The film file with the program that codes it.
     shootingVideo :: !(Maybe (FilePath, VideoKind, FilePath)),
-    -- | A text that is equal for equal scenes, and says which program this is.
+    -- | The picture of the sky if that of the film is a panorama.
+    shootingSky :: !(Maybe SkyImage),
+    -- | A text that is equal for equal scenes and skies, and says which program this is.
     shootingText :: !(Scene -> String),
     -- | The file of a frame, from its (first) scene and its light; 'Nothing' if
     -- its format has no room for the picture.
@@ -126,7 +129,7 @@ shoot shooting listen = do
     render state clock job = case frameScenes film (jobFrame job) of
       Left problems -> pure (Left (unwords (map show problems)))
       Right scenes -> do
-        exposed <- exposeMoments (shootingWorkers shooting) (\part -> update state clock (Just (jobFrame job)) (\tally -> tally {tallyPart = part})) scenes
+        exposed <- exposeMoments (shootingSky shooting) (shootingWorkers shooting) (\part -> update state clock (Just (jobFrame job)) (\tally -> tally {tallyPart = part})) scenes
         case exposed of
           Nothing -> pure (Left "its scenes cannot be traced together")
           Just light -> do

@@ -26,6 +26,7 @@ import BlackHole.Render.Shard
 import BlackHole.Render.Workers
 import BlackHole.Scene.Scene (Scene)
 import BlackHole.Scene.Validate
+import BlackHole.Trace.SkyImage (SkyImage)
 import Control.Concurrent (myThreadId, throwTo)
 import Control.Exception (AsyncException (UserInterrupt), IOException, bracket, try)
 import qualified Data.ByteString.Lazy as Lazy
@@ -137,15 +138,17 @@ data Ending
   deriving (Eq, Show)
 
 -- | Make the film's frames. The second argument says a line to the user; the
--- third is equal for equal scenes and programs; the last makes a frame's file.
+-- third is the picture of the sky, if that is a panorama; the fourth is equal for
+-- equal scenes, skies and programs; the last makes a frame's file.
 runFilm ::
   AnimateOptions scene ->
   (String -> IO ()) ->
+  Maybe SkyImage ->
   (Scene -> String) ->
   (Workers -> Scene -> Light.Film -> IO (Maybe Lazy.ByteString)) ->
   Film ->
   IO Ending
-runFilm options say text develop film = do
+runFilm options say sky text develop film = do
   environment <- getEnvironment
   coder <- findCoder
   case plan options environment coder film of
@@ -155,7 +158,7 @@ runFilm options say text develop film = do
       teller <- newTeller say
       shot <-
         try . interruptible . withWorkers crew $
-          shoot (Shooting film frames name (animatePatience options) crew video text (develop crew)) teller
+          shoot (Shooting film frames name (animatePatience options) crew video sky text (develop crew)) teller
       clearLine
       case shot of
         Left refusal -> CannotStart <$ say ("--output: the frames cannot be written: " ++ show (refusal :: IOException))

@@ -58,11 +58,12 @@ tilePart = eitherReader $ \text ->
 tileExtension :: String
 tileExtension = ".tile"
 
--- | What a tile of a scene says of itself, given the program's name and version.
-tileHeader :: String -> Shard -> Scene -> TileHeader
-tileHeader program part scene =
+-- | What a tile of a scene says of itself, given lines that must be the same for
+-- tiles to belong together: the program's name and version, and those of the sky.
+tileHeader :: [String] -> Shard -> Scene -> TileHeader
+tileHeader origin part scene =
   TileHeader part (width, height) . Lazy.toStrict . Builder.toLazyByteString . Builder.stringUtf8 $
-    printScene [program] scene
+    printScene origin scene
   where
     Picture width height = scenePicture scene
 
@@ -102,4 +103,4 @@ openTiles paths = do
       intact <- try (tileIntact tile) :: IO (Either IOException Bool)
       pure [tileFilePath tile ++ ": damaged; render this tile again" | intact /= Right True]
     sceneOf tile =
-      resolveRequest (Request Nothing (Just (tileFilePath tile, tileScene (tileFileHeader tile))) [])
+      resolveRequest (Request Nothing (Just (tileFilePath tile, tileScene (tileFileHeader tile))) "." [])

@@ -8,6 +8,7 @@ module BlackHole.Cli.Run
   )
 where
 
+import BlackHole.Animation.Film (filmScene)
 import BlackHole.Cli.Animate
 import BlackHole.Cli.Explain (explanationLines, pixelProblems)
 import BlackHole.Cli.FilmScene (loadFilm)
@@ -23,6 +24,7 @@ import BlackHole.Cli.SceneCommand (SceneCommand (..), sceneText)
 import BlackHole.Cli.SceneOptions
 import BlackHole.Cli.SelfTest (runSelfTest)
 import BlackHole.Cli.Signals (Stopped)
+import BlackHole.Cli.SkyFile
 import BlackHole.Cli.Stats
 import BlackHole.Image.AtomicFile
 import BlackHole.Image.Coding
@@ -41,7 +43,8 @@ import BlackHole.Scene.File.SceneFile (printScene)
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Validate
 import BlackHole.SelfTest.Check (Check, checkHolds)
-import BlackHole.Trace.Explain (explainPixel)
+import BlackHole.Trace.Explain (explainPixelUnder)
+import BlackHole.Trace.SkyImage (SkyImage)
 import Control.Applicative ((<|>))
 import Control.Exception (IOException, SomeAsyncException (..), SomeException, catch, displayException, evaluate, fromException, throwIO, try)
 import Control.Monad (forM_, void, when)
@@ -157,15 +160,15 @@ render options
       Left problems -> BadInput <$ mapM_ (complain BadInput) problems
       Right (scene, coding)
         | Just pixel <- renderPixel options -> case pixelProblems (scenePicture scene) pixel of
-          [] -> explain scene pixel
+          [] -> underSky scene (explain scene pixel . fmap skyFileImage)
           problems -> complainAll BadInput problems
-        | renderPreview options -> withCrew (`preview` scene)
+        | renderPreview options -> underSky scene (\sky -> withCrew (preview (skyFileImage <$> sky) scene))
         | Just part <- renderTile options -> case tileProblems part (scenePicture scene) of
-          [] -> ready scene (snd (shardRows part (pictureHeight (scenePicture scene)))) (\crew -> tileTo crew part scene)
+          [] -> ready scene (snd (shardRows part (pictureHeight (scenePicture scene)))) (\sky crew -> tileTo sky crew part scene)
           problems -> complainAll UsageError problems
         | otherwise -> case outputFormat output of
           Just format -> case codingProblems format coding of
-            [] -> ready scene (pictureHeight (scenePicture scene)) (\crew -> renderTo crew format coding scene)
+            [] -> ready scene (pictureHeight (scenePicture scene)) (\sky crew -> renderTo sky crew format coding scene)
             problems -> complainAll UsageError problems
           Nothing -> complainAll UsageError [unknownExtension]
   where
@@ -179,7 +182,7 @@ render options
         (Just line, _, _) -> complain BadInput line
         (_, Just line, _) -> complain CannotWrite ("--output: " ++ line)
         (_, _, Left problem) -> complain CannotWrite ("--stats: " ++ renderWriteProblem problem)
-        _ -> withCrew action
+        _ -> underSky scene (withCrew . action)
     how = renderRun options
     unknownExtension = unknownExtensionOf output
     usageProblems =
@@ -192,15 +195,15 @@ render options
              | Just from <- [renderFrom options],
                Just _ <- [sceneFile (renderScene options)]
            ]
-    renderTo crew format coding scene = do
+    renderTo sky crew format coding scene = do
       let rows = pictureHeight (scenePicture scene)
-      exposing how crew scene (0, rows) output $ \film done seconds ->
-        finishing crew scene (0, done) film seconds (finishFilm crew programName format coding scene [] film) (noRoom output)
-    tileTo crew part scene = do
+      exposing how (skyFileImage <$> sky) crew scene (0, rows) output $ \film done seconds ->
+        finishing (skyFileImage <$> sky) crew scene (0, done) film seconds (finishFilm crew programName format coding scene [] film) (noRoom output)
+    tileTo sky crew part scene = do
       let band = shardRows part (pictureHeight (scenePicture scene))
-      exposing how {runKeepPartial = False} crew scene band output $ \film _ seconds ->
-        finishing crew scene band film seconds (pure (encodeTile (tileHeader programName part scene) film)) "the tile can't be coded"
-    finishing crew scene band film traced encoded refusal = do
+      exposing how {runKeepPartial = False} (skyFileImage <$> sky) crew scene band output $ \film _ seconds ->
+        finishing (skyFileImage <$> sky) crew scene band film seconds (pure (encodeTile (tileHeader (programName : skyLines sky) part scene) film)) "the tile can't be coded"
+    finishing picture crew scene band film traced encoded refusal = do
       faults <- warnOfFaults (fst band) film
       if runStrict how && fst faults > 0
         then complain InternalFault "--strict: no file is written because of them"
@@ -208,7 +211,7 @@ render options
           (bytes, developing) <- timed (encoded >>= traverse (\b -> b <$ evaluate (Lazy.length b)))
           (status, writing) <- timed (maybe (complain CannotWrite refusal) (store output) bytes)
           memory <- peakMemory
-          let stats = Stats versionLine scene crew band traced developing writing memory faults
+          let stats = Stats versionLine scene picture crew band traced developing writing memory faults
           case runStats how of
             Just file | status == Done -> do
               written <- writeFileAtomically file (statsText stats)
@@ -218,14 +221,14 @@ render options
 -- | Trace rows of a scene, tell how far that is, and go on with the film, the
 -- number of rows done and the seconds it took. If some is to be kept when a signal comes, bands are traced
 -- one after the other, and those that are done make a film that is black below.
-exposing :: RunOptions -> Workers -> Scene -> (Int, Int) -> FilePath -> (Film -> Int -> Double -> IO ExitStatus) -> IO ExitStatus
-exposing how crew scene (first, rows) output finish
+exposing :: RunOptions -> Maybe SkyImage -> Workers -> Scene -> (Int, Int) -> FilePath -> (Film -> Int -> Double -> IO ExitStatus) -> IO ExitStatus
+exposing how sky crew scene (first, rows) output finish
   | runKeepPartial how = do
     kept <- newIORef []
     start <- getMonotonicTime
     let bands = [(from, min bandRows (rows - from)) | from <- [0, bandRows .. rows - 1]]
     outcome <- try . timed . tracking $ \tell -> forM_ bands $ \(from, count) -> do
-      band <- exposeRows crew (tell . (from +)) scene (first + from, count)
+      band <- exposeRowsUnder sky crew (tell . (from +)) scene (first + from, count)
       modifyIORef' kept (maybe id (:) band)
     done <- reverse <$> readIORef kept
     let rowsDone = sum (map (shapeHeight . pixelArrayShape) done)
@@ -242,7 +245,7 @@ exposing how crew scene (first, rows) output finish
           throwIO (stop :: Stopped)
         | otherwise -> throwIO stop
   | otherwise = do
-    (exposed, seconds) <- timed (tracking (\tell -> exposeRows crew tell scene (first, rows)))
+    (exposed, seconds) <- timed (tracking (\tell -> exposeRowsUnder sky crew tell scene (first, rows)))
     maybe untraceable (\film -> finish film rows seconds) exposed
   where
     width = pictureWidth (scenePicture scene)
@@ -336,11 +339,12 @@ animate options = case (animateStatus options, formatOf (animateOutput options))
       case loaded of
         Left problems -> BadInput <$ mapM_ say problems
         Right Nothing -> complain BadInput "a film needs a scene file with a section animation (see docs/animation.md)"
-        Right (Just film) -> endStatus <$> runFilm options say describe (develop format) (adjustFilm options film)
+        Right (Just film) -> underSky (filmScene film) $ \sky ->
+          endStatus <$> runFilm options say (skyFileImage <$> sky) (describe sky) (develop format) (adjustFilm options film)
   where
     say line = void (complain Done line)
     coding = animateCoding options
-    describe = printScene [programName ++ ", " ++ show coding]
+    describe sky = printScene ((programName ++ ", " ++ show coding) : skyLines sky)
     develop format crew scene = finishFilm crew programName format coding scene []
     endStatus ending = case ending of
       Complete -> Done
@@ -348,6 +352,10 @@ animate options = case (animateStatus options, formatOf (animateOutput options))
       WrongArguments -> UsageError
       WrongFilm -> BadInput
       CannotStart -> CannotWrite
+
+-- | Go on with the picture of a scene's sky, if it has one.
+underSky :: Scene -> (Maybe SkyFile -> IO ExitStatus) -> IO ExitStatus
+underSky scene action = loadSky scene >>= either (complain BadInput) action
 
 -- | The scene that is asked for, and how its file is to be coded: as the options
 -- say, or else as the picture was that the scene is taken from.
@@ -369,7 +377,7 @@ renderedScene options = case renderFrom options of
     asked = renderCoding options
     coded coding scene = (scene, coding)
     fromLabel path label = do
-      scene <- resolveScene (renderScene options) {sceneFile = Just path} (Just (labelScene label))
+      scene <- resolveLabel (renderScene options) path (labelScene label)
       -- Another format has other bits.
       let before
             | formatOf path == formatOf (renderOutput options) = labelCoding label
@@ -377,15 +385,15 @@ renderedScene options = case renderFrom options of
       pure (coded (Coding (codingBits asked <|> codingBits before) (codingQuality asked <|> codingQuality before)) scene)
 
 -- | The picture as text on standard output.
-preview :: Workers -> Scene -> IO ExitStatus
-preview crew scene = do
+preview :: Maybe SkyImage -> Scene -> Workers -> IO ExitStatus
+preview sky scene crew = do
   isTerminal <- hIsTerminalDevice stdout
   environment <- getEnvironment
   window <- Terminal.size
   let (columns, textLines) = maybe (80, 24) (\(Terminal.Window h w) -> (w, h)) window
       Picture width height = scenePicture scene
       (across, down) = previewSize columns textLines (width, height)
-  exposed <- exposeFilm crew (const (pure ())) scene {scenePicture = Picture across down}
+  exposed <- exposeFilmUnder sky crew (const (pure ())) scene {scenePicture = Picture across down}
   case exposed of
     Nothing -> untraceable
     Just film -> do
@@ -419,8 +427,8 @@ scenes task = do
     status _ = BadInput
 
 -- | One pixel explained instead.
-explain :: Scene -> (Int, Int) -> IO ExitStatus
-explain scene (x, y) = case explainPixel scene x y of
+explain :: Scene -> (Int, Int) -> Maybe SkyImage -> IO ExitStatus
+explain scene (x, y) sky = case explainPixelUnder sky scene x y of
   Just explanation -> Done <$ mapM_ putStrLn (explanationLines scene explanation)
   Nothing -> untraceable
 

@@ -11,6 +11,7 @@ import BlackHole.Cli.FilmScene
 import BlackHole.Cli.Json (renderJson)
 import BlackHole.Cli.SceneOptions
 import BlackHole.Cli.Schema (sceneSchema)
+import BlackHole.Cli.SkyFile (skyFault)
 import BlackHole.Scene.File.SceneFile (printScene)
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Problem
@@ -49,9 +50,14 @@ sceneText task = case task of
     p : _ -> Right (printScene ["The preset " ++ name ++ ": " ++ presetShows p ++ "."] (presetScene p))
     [] -> Left [renderProblem (Problem "scene show" ("'" ++ name ++ "'") ("a preset" ++ suggestion name presetNames ++ "; there are: " ++ intercalate ", " presetNames))]
   CheckScene file -> do
-    film <- loadFilm (SceneOptions (Just file) Nothing [])
-    pure $ case film of
-      Right (Just ready) | faults@(_ : _) <- frameFaults ready [0 .. filmFrames ready - 1] -> Left (take maximumFaults faults)
+    film <- loadFilm options
+    still <- loadScene options
+    picture <- either (const (pure Nothing)) skyFault still
+    pure $ case (film, picture) of
+      (Right (Just ready), _) | faults@(_ : _) <- frameFaults ready [0 .. filmFrames ready - 1] -> Left (take maximumFaults faults)
+      (Right _, Just line) -> Left [line]
       _ -> (file ++ ": no problems\n") <$ film
+    where
+      options = SceneOptions (Just file) Nothing []
   PrintScene options -> fmap (printScene ["A whole scene, with every setting."]) <$> loadScene options
   SceneSchema -> pure (Right (renderJson sceneSchema))

@@ -4,6 +4,7 @@ module BlackHole.Cli.SceneOptions
   ( SceneOptions (..),
     sceneOptions,
     resolveScene,
+    resolveLabel,
     loadScene,
     readSceneFile,
   )
@@ -23,6 +24,7 @@ import qualified Data.ByteString as Bytes
 import Data.List (intercalate)
 import Data.Maybe (catMaybes)
 import Options.Applicative
+import System.FilePath (takeDirectory)
 import System.IO (IOMode (ReadMode), withBinaryFile)
 import System.IO.Error (ioeGetErrorString)
 
@@ -57,6 +59,7 @@ fieldSetting field = fmap (Setting (fieldPath field)) <$> given
 valueNames :: Kind -> [String]
 valueNames kind = case kind of
   ChoiceKind _ choices -> map fst choices
+  ChoiceOrFileKind _ choices _ -> map fst choices
   SwitchKind -> ["on", "off"]
   _ -> []
 
@@ -68,7 +71,13 @@ valueOf kind = eitherReader $ \s ->
 -- or a line for everything that is wrong with it (at least one).
 resolveScene :: SceneOptions -> Maybe Bytes.ByteString -> Either [String] Scene
 resolveScene (SceneOptions file preset settings) bytes =
-  resolveRequest (Request preset ((,) <$> file <*> bytes) settings)
+  resolveRequest (Request preset ((,) <$> file <*> bytes) (maybe "." takeDirectory file) settings)
+
+-- | The same with the scene of a picture in the place of a file's: the picture's
+-- name, and the scene. Files that it names are seen from the working directory.
+resolveLabel :: SceneOptions -> FilePath -> Bytes.ByteString -> Either [String] Scene
+resolveLabel (SceneOptions _ preset settings) picture bytes =
+  resolveRequest (Request preset (Just (picture, bytes)) "." settings)
 
 -- | The same, reading the file.
 loadScene :: SceneOptions -> IO (Either [String] Scene)

@@ -94,6 +94,8 @@ valueSchema doc kind = Object (("description", Text doc) : ofKind)
       SeedKind -> [("type", Text "integer"), ("minimum", Whole 0), ("exclusiveMaximum", Number 18446744073709551616)]
       SwitchKind -> [("enum", List ([Truth True, Truth False] ++ map Text ["on", "off", "yes", "no"]))]
       ChoiceKind _ choices -> [("enum", List (map (Text . fst) choices))]
+      -- A word of its own or anything with a point or a stroke in it.
+      ChoiceOrFileKind _ choices _ -> [("anyOf", List [Object [("enum", List (map (Text . fst) choices))], Object [("type", Text "string"), ("pattern", Text "[./]"), ("maxLength", Whole 1024)]])]
       VectorKind -> [("type", Text "array"), ("items", Object [("type", Text "number")]), ("minItems", Whole 3), ("maxItems", Whole 3)]
     least end = case end of
       Anything -> []

@@ -11,6 +11,7 @@ import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.File.SceneFile (printScene)
 import BlackHole.Scene.Scene
 import BlackHole.Trace.Census
+import BlackHole.Trace.SkyImage (SkyImage)
 import qualified Crypto.Hash.SHA256 as SHA256
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Builder as Builder
@@ -21,6 +22,8 @@ import Numeric (showHex)
 data Stats = Stats
   { statsVersion :: !String,
     statsScene :: !Scene,
+    -- | The picture of the sky, if the scene's is a panorama.
+    statsSky :: !(Maybe SkyImage),
     statsWorkers :: !Workers,
     -- | The first row and the number of rows.
     statsRows :: !(Int, Int),
@@ -64,7 +67,7 @@ statsText s =
         ("error_bounds", maybe Null bounds found)
       ]
   where
-    found = census scene (statsRows s)
+    found = census (statsSky s) scene (statsRows s)
     adaptive = mostSamples scene > sceneSamples scene
     raysOfPixel = maybe (fromIntegral (sceneSamples scene)) (\c -> let Mean m _ = censusRays c in m) found
     estimates c =

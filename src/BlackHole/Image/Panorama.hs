@@ -5,7 +5,9 @@
 -- taken for it, and a decoder's fault becomes a message too.
 module BlackHole.Image.Panorama
   ( readPanorama,
+    readPanoramaBytes,
     decodePanorama,
+    panoramaFault,
     panoramaSize,
     maximumPanoramaPixels,
   )
@@ -25,6 +27,7 @@ import qualified Data.ByteString.Char8 as Char8
 import Data.List (find)
 import qualified Data.Vector.Unboxed as U
 import System.IO (IOMode (..), hFileSize, withBinaryFile)
+import System.IO.Error (ioeGetErrorString)
 
 -- | The most pixels that a panorama may have: 8192 by 4096, for which the
 -- picture takes some 350 MB while it is made.
@@ -36,52 +39,65 @@ maximumPanoramaPixels = 8192 * 4096
 -- floating-point numbers for linear. 'Left' with a message without the file's
 -- name. About 0.2 µs a pixel.
 readPanorama :: FilePath -> IO (Either String SkyImage)
-readPanorama file = do
+readPanorama file = readPanoramaBytes file >>= either (pure . Left) decodePanorama
+
+-- | The file's bytes, if it is there and not far too long, or the message.
+readPanoramaBytes :: FilePath -> IO (Either String Bytes.ByteString)
+readPanoramaBytes file = do
   contents <- try (withBinaryFile file ReadMode sized)
-  case contents of
-    Left problem -> pure (Left ("cannot be read: " ++ unwords (lines (show (problem :: IOException)))))
-    Right Nothing -> pure (Left "is too large for a panorama")
-    Right (Just bytes) -> do
-      decoded <- try (evaluate (decodePanorama bytes))
-      case decoded of
-        Right outcome -> pure outcome
-        Left fault
-          | Just (SomeAsyncException _) <- fromException fault -> throwIO (fault :: SomeException)
-          | otherwise -> pure (Left "is damaged: its decoder gave up")
+  pure $ case contents of
+    Left problem -> Left ("can't be read: " ++ ioeGetErrorString (problem :: IOException))
+    Right Nothing -> Left "is too large for a panorama"
+    Right (Just bytes) -> Right bytes
   where
     -- No file of that many pixels needs more than 16 bytes for each.
     sized handle = do
       size <- hFileSize handle
       if size > 16 * fromIntegral maximumPanoramaPixels
         then pure Nothing
-        else Just <$> Bytes.hGetContents handle
+        else Just <$> Bytes.hGet handle (fromInteger size)
 
--- | The same of a file's bytes. A damaged file may also end in an exception of
--- the decoder, which 'readPanorama' catches.
-decodePanorama :: Bytes.ByteString -> Either String SkyImage
-decodePanorama bytes = case panoramaSize bytes of
-  Nothing -> Left "is not a PNG, JPEG, TIFF or Radiance HDR picture"
-  Just (width, height)
-    | width < 2 || height < 1 || width /= 2 * height ->
-      Left ("measures " ++ show width ++ " by " ++ show height ++ " pixels; a panorama is twice as wide as high")
-    | width > maximumPanoramaPixels || width * height > maximumPanoramaPixels ->
-      Left ("measures " ++ show width ++ " by " ++ show height ++ " pixels; a panorama may have " ++ show maximumPanoramaPixels)
-    | Bytes.isPrefixOf (Bytes.pack [0x89]) bytes -> case Bytes.unpack (Bytes.take 1 (Bytes.drop 28 bytes)) of
-      -- JuicyPixels can leave its memory over a damaged interlaced one.
-      [0] -> decodedBy decodePng
-      _ -> Left "is interlaced, or damaged; save it without interlacing"
-    | Bytes.isPrefixOf (Bytes.pack [0xff]) bytes -> if soundJpeg bytes then decodedBy decodeJpeg else Left "is damaged"
-    | Bytes.isPrefixOf (Char8.pack "#?") bytes -> decodedBy decodeHDR
-    | otherwise -> maybe (Left "is damaged, or not a plain TIFF: 8 or 16 bits or floating-point numbers, not compressed") plain (readPlainTiff bytes)
+-- | The picture in a file's bytes, or the message.
+decodePanorama :: Bytes.ByteString -> IO (Either String SkyImage)
+decodePanorama bytes = do
+  decoded <- try (evaluate (maybe (decodedByKind bytes) Left (panoramaFault bytes)))
+  case decoded of
+    Right outcome -> pure outcome
+    Left fault
+      | Just (SomeAsyncException _) <- fromException fault -> throwIO (fault :: SomeException)
+      | otherwise -> pure (Left "is damaged: its decoder gave up")
+
+-- | Each kind by its own decoder: one that tries all of them takes a damaged file
+-- for a Targa, which has no mark, of any size.
+decodedByKind :: Bytes.ByteString -> Either String SkyImage
+decodedByKind bytes
+  | Bytes.isPrefixOf (Bytes.pack [0x89]) bytes = case Bytes.unpack (Bytes.take 1 (Bytes.drop 28 bytes)) of
+    -- JuicyPixels can leave its memory over a damaged interlaced one.
+    [0] -> decodedBy decodePng
+    _ -> Left "is interlaced, or damaged; save it without interlacing"
+  | Bytes.isPrefixOf (Bytes.pack [0xff]) bytes = if soundJpeg bytes then decodedBy decodeJpeg else Left "is damaged"
+  | Bytes.isPrefixOf (Char8.pack "#?") bytes = decodedBy decodeHDR
+  | otherwise = maybe (Left "is damaged, or not a plain TIFF: 8 or 16 bits or floating-point numbers, not compressed") plain (readPlainTiff bytes)
   where
-    -- Each kind by its own decoder: one that tries all of them takes a damaged file
-    -- for a Targa, which has no mark, of any size.
     decodedBy decoder = either (const (Left "is damaged")) pictured (decoder bytes)
     plain tiff = maybe (Left "is empty") Right (skyImageFromPixels (tiffWidth tiff) (tiffHeight tiff) (\i j -> light (tiffFloating tiff) (tiffSamples tiff i j)))
     light floating (r, g, b)
       | floating = Radiance (positive r) (positive g) (positive b)
       | otherwise = Radiance (linear r) (linear g) (linear b)
     linear = decodeSrgb . realToFrac
+
+-- | What is wrong with a file's bytes as far as its header tells.
+panoramaFault :: Bytes.ByteString -> Maybe String
+panoramaFault bytes = case panoramaSize bytes of
+  Nothing -> Just "is not a PNG, JPEG, TIFF or Radiance HDR picture"
+  Just (width, height)
+    | width < 2 || height < 1 || width /= 2 * height ->
+      Just (size ++ "; a panorama is twice as wide as high")
+    | width > maximumPanoramaPixels || width * height > maximumPanoramaPixels ->
+      Just (size ++ "; a panorama has at most 8192 by 4096")
+    | otherwise -> Nothing
+    where
+      size = "measures " ++ show width ++ " by " ++ show height ++ " pixels"
 
 -- | Width and height that a file's header claims; 'Nothing' for other kinds of
 -- files, and for headers that end too early. Linear in the number of a JPEG's

@@ -1,6 +1,10 @@
+{-# LANGUAGE BangPatterns #-}
+
 -- | Where neighbouring light rays end on the celestial sphere.
 module BlackHole.Physics.LensBeam
   ( lensChange,
+    LensChanges (..),
+    lensChanges,
   )
 where
 
@@ -13,19 +17,45 @@ import qualified BlackHole.Vector.XYZ as XYZ
 -- photon of unit energy escapes changes towards a neighbour that starts at the
 -- same place, to first order: a vector tangent to the celestial sphere at the
 -- direction. The neighbour's path turns within its plane by the slope of the
--- swept angle ('lensTurning'), and its plane is another. 'Nothing' where the
+-- swept angle ('lensSlope'), and its plane is another. 'Nothing' where the
 -- photon does not escape, has no plane, or is too close to the critical one.
 lensChange :: LensTable -> Photon -> XYZ -> Photon -> Maybe XYZ
-lensChange table (Photon place velocity) direction (Photon _ velocity') = do
-  e1 <- XYZ.normalize place
-  let radial = XYZ.dot velocity e1
-      across = velocity ^-^ radial *^ e1
-      radial' = XYZ.dot velocity' e1
-      across' = velocity' ^-^ radial' *^ e1
-  e2 <- XYZ.normalize across
-  e2' <- XYZ.normalize across'
-  turning <- lensTurning table (radial, XYZ.norm across) (radial', XYZ.norm across')
-  let cosine = XYZ.dot direction e1
-      sine = XYZ.dot direction e2
-      e3 = XYZ.cross e1 e2
-  pure (turning *^ (cosine *^ e2 ^-^ sine *^ e1) ^+^ (sine * XYZ.dot e2' e3) *^ e3)
+lensChange table photon direction neighbour =
+  (\(LensChanges change _) -> change) <$> lensChanges table photon direction neighbour neighbour
+
+-- | The changes towards two neighbours.
+data LensChanges
+  = LensChanges
+      {-# UNPACK #-} !XYZ
+      {-# UNPACK #-} !XYZ
+
+-- | 'lensChange' towards two neighbours at once, for less than twice the price.
+lensChanges :: LensTable -> Photon -> XYZ -> Photon -> Photon -> Maybe LensChanges
+lensChanges table (Photon place velocity) direction (Photon _ velocity1) (Photon _ velocity2)
+  | not (r > 0 && tangential > 0) = Nothing
+  | otherwise = case lensSlope table radial tangential of
+    Nothing -> Nothing
+    Just !slope ->
+      let !parameter = lensParameter table radial tangential
+          -- Along the path's own turning, and out of its plane.
+          !inPlane = XYZ.dot direction e1 *^ e2 ^-^ sine *^ e1
+          towards v
+            | tangential' > 0 = Just (turning *^ inPlane ^+^ (sine * XYZ.dot v e3 / tangential') *^ e3)
+            | otherwise = Nothing
+            where
+              !radial' = XYZ.dot v e1
+              !tangential' = XYZ.norm (v ^-^ radial' *^ e1)
+              !turning = slope * (lensParameter table radial' tangential' - parameter)
+          {-# INLINE towards #-}
+       in case towards velocity1 of
+            Just change1 | Just change2 <- towards velocity2 -> Just (LensChanges change1 change2)
+            _ -> Nothing
+  where
+    !r = XYZ.norm place
+    !e1 = (1 / r) *^ place
+    !radial = XYZ.dot velocity e1
+    !across = velocity ^-^ radial *^ e1
+    !tangential = XYZ.norm across
+    !e2 = (1 / tangential) *^ across
+    !e3 = XYZ.cross e1 e2
+    !sine = XYZ.dot direction e2

@@ -26,7 +26,8 @@ module BlackHole.Physics.LensTable
     lensTableSize,
     lensSweep,
     lensEnd,
-    lensTurning,
+    lensSlope,
+    lensParameter,
   )
 where
 
@@ -36,7 +37,7 @@ import BlackHole.Physics.Radii (criticalImpactParameter)
 import BlackHole.Physics.Sweep
 import Control.Monad (when)
 import Control.Monad.ST (ST)
-import Data.Bits (unsafeShiftR, (.&.))
+import Data.Bits (unsafeShiftL, unsafeShiftR, (.&.))
 import Data.Foldable (for_)
 import Data.Primitive.PrimArray
 import GHC.Float (castDoubleToWord64)
@@ -324,22 +325,24 @@ closedForm table radial tangential = orbitSweep (orbit (lensTableRadius table) r
 closest :: Double
 closest = 0.5 ^^ octaveCount
 
--- | How the angle swept up to infinity changes between two neighbouring photons
--- of unit energy, each given by its radial and tangential velocity: the
--- difference of their parameters times the slope at the first. 'Nothing' where
--- the first does not escape or is closer to the critical one than the table.
-lensTurning :: LensTable -> (Double, Double) -> (Double, Double) -> Maybe Double
-lensTurning table (radial, tangential) (radial', tangential') = case find table radial tangential of
+-- | How the angle swept up to infinity changes with the 'lensParameter', at a
+-- photon of unit energy given by its radial and tangential velocity. 'Nothing'
+-- where that does not escape or is closer to the critical one than the table.
+lensSlope :: LensTable -> Double -> Double -> Maybe Double
+lensSlope table radial tangential = case find table radial tangential of
   Between row cells t octave False ->
     let row' = row + rowSize cells
         at = indexPrimArray (tableNumbers table)
-        change = parameter radial tangential - parameter radial' tangential'
-        -- The derivative of Hermite's interpolation, over the length of a segment.
-        slope =
-          (6 * t * (t - 1) * (at row - at row') + (1 - t) * (1 - 3 * t) * at (row + 1) + t * (3 * t - 2) * at (row' + 1))
-            * fromIntegral segmentCount
-            * 2 ^^ (octave + 1)
-     in Just (slope * change)
+     in -- The derivative of Hermite's interpolation, over the length of a segment:
+        -- an octave of them is 2^-(octave + 1) long.
+        Just $
+          negate (6 * t * (t - 1) * (at row - at row') + (1 - t) * (1 - 3 * t) * at (row + 1) + t * (3 * t - 2) * at (row' + 1))
+            * fromIntegral (segmentCount * 2 `unsafeShiftL` octave)
   _ -> Nothing
-  where
-    parameter = parameterOf (tableFamily table)
+{-# INLINE lensSlope #-}
+
+-- | The table's parameter of a photon of unit energy, by its radial and
+-- tangential velocity. It grows towards the hole.
+lensParameter :: LensTable -> Double -> Double -> Double
+lensParameter = parameterOf . tableFamily
+{-# INLINE lensParameter #-}

@@ -4,7 +4,9 @@
 module BlackHole.Render.Film
   ( Film,
     exposeFilm,
+    exposeFilmUnder,
     exposeRows,
+    exposeRowsUnder,
     developFilm,
     developRows,
     developFilmFinely,
@@ -26,6 +28,7 @@ import BlackHole.Scene.Scene
 import BlackHole.Trace.Adaptive
 import BlackHole.Trace.Estimate
 import BlackHole.Trace.Pixel
+import BlackHole.Trace.SkyImage (SkyImage)
 import Control.Monad (when)
 import Control.Monad.ST (ST)
 import Data.Vector.Storable (Vector)
@@ -41,16 +44,25 @@ type Film = PixelArray Float
 -- | Trace every pixel of a scene; the callback hears how many rows are done.
 -- The same for any number of workers. 'Nothing' if the scene is not valid.
 exposeFilm :: Workers -> (Int -> IO ()) -> Scene -> IO (Maybe Film)
-exposeFilm workers progress scene =
-  exposeRows workers progress scene (0, pictureHeight (scenePicture scene))
+exposeFilm = exposeFilmUnder Nothing
+
+-- | The same with the picture of the sky if the scene's is a panorama
+-- ('BlackHole.Trace.Sky.neededPicture'), without which it is 'Nothing'.
+exposeFilmUnder :: Maybe SkyImage -> Workers -> (Int -> IO ()) -> Scene -> IO (Maybe Film)
+exposeFilmUnder picture workers progress scene =
+  exposeRowsUnder picture workers progress scene (0, pictureHeight (scenePicture scene))
 
 -- | The same for a band of the picture: its first row and its number of rows
 -- (at least 1). The numbers are those that the whole film has there. 'Nothing'
 -- also if the picture has no such rows.
 exposeRows :: Workers -> (Int -> IO ()) -> Scene -> (Int, Int) -> IO (Maybe Film)
-exposeRows crew progress scene (first, rows)
+exposeRows = exposeRowsUnder Nothing
+
+-- | The same with the picture of the sky if the scene's is a panorama.
+exposeRowsUnder :: Maybe SkyImage -> Workers -> (Int -> IO ()) -> Scene -> (Int, Int) -> IO (Maybe Film)
+exposeRowsUnder picture crew progress scene (first, rows)
   | first < 0 || first > height - rows = pure Nothing
-  | otherwise = case (,) <$> pixelShape width rows 3 <*> tracer scene of
+  | otherwise = case (,) <$> pixelShape width rows 3 <*> tracerUnder picture scene of
     Nothing -> pure Nothing
     Just (shape, traced) -> do
       _ <- mapShared crew pure (tracerTables traced)

@@ -6,7 +6,7 @@ module BlackHole.Scene.Resolve
 where
 
 import BlackHole.Scene.Field.Field (fieldLabel)
-import BlackHole.Scene.Field.Kind (showValue)
+import BlackHole.Scene.Field.Kind (Value (..), showValue)
 import BlackHole.Scene.Field.Table
 import BlackHole.Scene.File.SceneFile
 import BlackHole.Scene.File.Yaml (YamlFault (..))
@@ -18,6 +18,7 @@ import BlackHole.Scene.Validate
 import qualified Data.ByteString as Bytes
 import Data.List (intercalate, sortOn)
 import Data.Maybe (fromMaybe, listToMaybe)
+import System.FilePath (isRelative, (</>))
 
 -- | What a scene is to be made of.
 data Request = Request
@@ -25,6 +26,9 @@ data Request = Request
     requestPreset :: !(Maybe String),
     -- | A scene file's name and bytes.
     requestFile :: !(Maybe (FilePath, Bytes.ByteString)),
+    -- | The folder, seen from the working directory, from which the file's own
+    -- paths start.
+    requestFolder :: !FilePath,
     -- | The options' settings, which count more than the file's.
     requestSettings :: ![Setting]
   }
@@ -33,7 +37,7 @@ data Request = Request
 -- | The scene, checked, or one line for everything that is wrong with it (at
 -- least one): the options first, then the file in the order of its lines.
 resolveRequest :: Request -> Either [String] Scene
-resolveRequest (Request preset file options) = case traverse (parseSceneFile . snd) file of
+resolveRequest (Request preset file folder options) = case traverse (parseSceneFile . snd) file of
   Left (YamlFault line text) -> Left [fileName ++ ":" ++ show line ++ ": " ++ text]
   Right parsed -> case findPreset chosenName of
     Nothing -> Left [renderProblem (Problem "--preset" chosenName unknownPreset)]
@@ -42,7 +46,7 @@ resolveRequest (Request preset file options) = case traverse (parseSceneFile . s
       | null problems -> Right scene
       | otherwise -> Left (map snd (sortOn fst problems))
       where
-        inFile = map placedSetting settings
+        inFile = map (settingFrom folder . placedSetting) settings
         scene = applySettings options (applySettings inFile base)
         faults = (if null malformed then sceneFaults else rangeFaults) scene
         idle = if null malformed then withoutEffect base inFile else []
@@ -74,3 +78,9 @@ resolveRequest (Request preset file options) = case traverse (parseSceneFile . s
         | any (`elem` given) ["camera.position", "camera.look-at"],
           any (`elem` given) ["camera.distance", "camera.inclination", "camera.azimuth"]
       ]
+
+-- | A setting that names a file, seen from a folder instead of from within it.
+settingFrom :: FilePath -> Setting -> Setting
+settingFrom folder s = case settingValue s of
+  FileValue file | isRelative file && folder /= "." -> s {settingValue = FileValue (folder </> file)}
+  _ -> s

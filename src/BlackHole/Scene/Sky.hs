@@ -7,8 +7,12 @@ module BlackHole.Scene.Sky
     defaultStars,
     PointStars (..),
     defaultPointStars,
+    Panorama (..),
+    panoramaOf,
   )
 where
+
+import BlackHole.Physics.Angle (Degrees (..))
 
 -- | The celestial sphere.
 data Sky
@@ -16,6 +20,8 @@ data Sky
     SkyNoise !Stars
   | -- | A catalogue of point stars before the band of the galaxy.
     SkyStars !PointStars
+  | -- | A picture of the whole sky.
+    SkyPanorama !Panorama
   | -- | Alternating fields of 10°, to see the lensing by.
     SkyGrid
   | -- | The same radiance everywhere.
@@ -24,11 +30,12 @@ data Sky
     SkyNone
   deriving (Eq, Show)
 
--- | The name on the command line.
+-- | The name on the command line; of a picture its file's.
 skyName :: Sky -> String
 skyName sky = case sky of
   SkyNoise _ -> "noise"
   SkyStars _ -> "stars"
+  SkyPanorama panorama -> panoramaFile panorama
   SkyGrid -> "grid"
   SkyUniform _ -> "uniform"
   SkyNone -> "none"
@@ -97,3 +104,20 @@ defaultPointStars =
       pointStarsBrightness = 80,
       pointStarsMilkyWay = 0.07
     }
+
+-- | An equirectangular picture of the whole sky, from a file.
+data Panorama = Panorama
+  { -- | The file, seen from the working directory.
+    panoramaFile :: !FilePath,
+    -- | How far the picture's middle is turned about the axis +y: at 0° it is the
+    -- direction −z, which a camera at azimuth 90° that looks at the hole has
+    -- before it; at 90° it is +x. The picture then moves to the right.
+    panoramaRotation :: !Degrees,
+    -- | Radiance of the picture's white.
+    panoramaBrightness :: !Double
+  }
+  deriving (Eq, Show)
+
+-- | A file's picture as it is.
+panoramaOf :: FilePath -> Panorama
+panoramaOf file = Panorama file (Degrees 0) 1

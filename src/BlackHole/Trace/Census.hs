@@ -17,6 +17,7 @@ import BlackHole.Trace.Adaptive (pixelEstimate)
 import BlackHole.Trace.Estimate (estimateCount)
 import BlackHole.Trace.Explain (gatheredAlong)
 import BlackHole.Trace.Pixel
+import BlackHole.Trace.SkyImage (SkyImage)
 import BlackHole.Vector.XY (XY (..))
 import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Maybe (isNothing)
@@ -46,14 +47,14 @@ data Census = Census
 
 -- | Look at a thousand lines of sight, or at every pixel's of a smaller band: the
 -- first row and the number of rows. 'Nothing' for a scene that cannot be traced
--- ('tracer') and for an empty band. As much work as three rays for each, and with
+-- ('tracerUnder') and for an empty band. As much work as three rays for each, and with
 -- adaptive sampling as nine pixels.
-census :: Scene -> (Int, Int) -> Maybe Census
-census scene (first, rows)
+census :: Maybe SkyImage -> Scene -> (Int, Int) -> Maybe Census
+census picture scene (first, rows)
   | rows <= 0 || width <= 0 = Nothing
   | otherwise = do
-    traced <- tracer scene
-    exact <- tracer scene {sceneIntegrator = Exact, sceneDisk = Nothing}
+    traced <- tracerUnder picture scene
+    exact <- tracerUnder picture scene {sceneIntegrator = Exact, sceneDisk = Nothing}
     let looks = [look traced exact column row | row <- spread first rows down, column <- spread 0 width across]
     pure
       Census

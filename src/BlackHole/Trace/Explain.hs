@@ -10,6 +10,7 @@ module BlackHole.Trace.Explain
     Shown (..),
     explainPixel,
     gatheredAlong,
+    explainPixelUnder,
     shownAs,
   )
 where
@@ -28,6 +29,7 @@ import BlackHole.Trace.Gas
 import BlackHole.Trace.Pixel
 import BlackHole.Trace.PlaneCrossing
 import BlackHole.Trace.Sampling (Sample (..))
+import BlackHole.Trace.SkyImage (SkyImage)
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ)
 import Data.Word (Word8)
@@ -100,10 +102,14 @@ data Shown = Shown
 -- for a scene that cannot be traced ('tracer'). As much work as three such
 -- pixels.
 explainPixel :: Scene -> Int -> Int -> Maybe Explanation
-explainPixel scene column row
+explainPixel = explainPixelUnder Nothing
+
+-- | The same with the picture of the sky if the scene's is a panorama.
+explainPixelUnder :: Maybe SkyImage -> Scene -> Int -> Int -> Maybe Explanation
+explainPixelUnder picture scene column row
   | column < 0 || row < 0 || column >= width || row >= height = Nothing
   | otherwise = do
-    traced <- tracer scene
+    traced <- tracerUnder picture scene
     let estimate = pixelEstimate traced column row
         radiance = estimatedRadiance estimate
     pure

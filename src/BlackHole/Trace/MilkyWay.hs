@@ -22,34 +22,45 @@ milkyWay :: Seed -> SkyImage
 milkyWay (Seed seed) = skyImageFromDirections milkyWayRings (light . toGalactic)
   where
     light d@(XYZ c _ p)
-      | p * p > 0.42 = scaleRadiance (halo p) warm
+      -- Less than a thousandth of the halo's light would come of more care.
+      | abs p > 0.05 + 5.2 * width = scaleRadiance (halo p) warm
+      | abs waver > 0.26 = scaleRadiance (glow + halo p) warm
       | otherwise =
-        let -- Along the band the clouds swell and the plane wavers.
-            swell = perlin clouds (offset 3.37 ^+^ 3.1 *^ d)
-            waver = p + 0.05 * swell
-            bulge = exp (-(1 - c) / 0.22)
-            width = 0.07 + 0.06 * bulge
-            band = exp (-(abs waver / width) ** 1.5)
-            glow = (0.34 + 0.16 * c + 0.6 * bulge) * band * exp (1.6 * swell)
-            lanes = perlin dust (offset 1.71 ^+^ 5.3 *^ d)
+        let lanes = perlin dust (dustMiddle ^+^ 5.3 *^ d)
             -- Sharp ridges where the noise crosses zero: filaments of dust.
             filaments = max 0 (1 - 5.5 * abs lanes)
-            shade = max 0 (0.3 + 1.9 * perlin patches (offset 7.13 ^+^ 4.1 *^ d))
-            depth = 1.9 * exp (-((waver - 0.012) / 0.085) ** 2) * (0.4 + 0.6 * bulge + 0.35 * (1 + c)) * (0.9 * shade + 0.7 * filaments * filaments)
+            shade = max 0 (0.3 + 1.9 * perlin patches (patchMiddle ^+^ 4.1 *^ d))
+            depth = 1.9 * exp (-(square ((waver - 0.012) / 0.085))) * (0.4 + 0.6 * bulge + 0.35 * (1 + c)) * (0.9 * shade + 0.7 * filaments * filaments)
          in reddened depth (scaleRadiance (glow + halo p) warm)
+      where
+        bulge = exp (-(1 - c) / 0.22)
+        width = 0.07 + 0.06 * bulge
+        -- Along the band the clouds swell and the plane wavers.
+        swell = perlin clouds (cloudMiddle ^+^ 3.1 *^ d)
+        waver = p + 0.05 * swell
+        across = abs waver / width
+        band = exp (negate (across * sqrt across))
+        glow = (0.34 + 0.16 * c + 0.6 * bulge) * band * exp (1.6 * swell)
+    square v = v * v
     -- The light of the old stars of the disk, some 4900 K.
     warm = Radiance 1 0.81 0.6
-    halo p = 0.035 * exp (-abs p / 0.4)
+    halo p = 0.035 * exp (-(abs p) / 0.4)
     -- Dust takes more of the blue light than of the red one.
-    reddened depth (Radiance r g b) = Radiance (r * exp (-0.8 * depth)) (g * exp (-depth)) (b * exp (-1.25 * depth))
+    reddened depth (Radiance r g b) = Radiance (r * exp (-(0.8 * depth))) (g * exp (-depth)) (b * exp (-(1.25 * depth)))
     perlin noise = rememberedPerlin3 noise 9
-    clouds = table 0 3
-    dust = table 1 4
-    patches = table 2 3
-    table n count = remember 400000 (Seed (seed + n)) (normalised (octaves unitLevel count 0.55)) (XYZ (-10) (-10) (-10)) (XYZ 14 14 14)
+    clouds = table 0 3 cloudMiddle 3.1
+    dust = table 1 4 dustMiddle 5.3
+    patches = table 2 3 patchMiddle 4.1
+    -- For the ball that is asked for.
+    table n count (XYZ x y z) radius =
+      remember 100000 (Seed (seed + n)) (normalised (octaves unitLevel count 0.55)) (XYZ (x - radius) (y - radius) (z - radius)) (XYZ (x + radius) (y + radius) (z + radius))
+    cloudMiddle = offset 3.37
+    dustMiddle = offset 1.71
+    patchMiddle = offset 7.13
     -- Off the lattice points in which all octaves vanish.
     offset v = XYZ v (0.77 * v) (-(0.59 * v))
 
--- | Rings of the picture: fields of 0.5°.
+-- | Rings of the picture: fields of 0.56°, of which the finest dust has two and a
+-- half across.
 milkyWayRings :: Int
-milkyWayRings = 384
+milkyWayRings = 320

@@ -7,6 +7,7 @@
 module BlackHole.Trace.Pixel
   ( Tracer,
     tracer,
+    tracerUnder,
     tracerTables,
     addSamples,
     addSamplesToThree,
@@ -47,6 +48,7 @@ import BlackHole.Trace.Gas
 import BlackHole.Trace.Grid
 import BlackHole.Trace.Sampling
 import BlackHole.Trace.Sky
+import BlackHole.Trace.SkyImage (SkyImage)
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ, (*^))
 import qualified BlackHole.Vector.XYZ as XYZ
@@ -65,7 +67,8 @@ data Tracer = Tracer
     tracerMatter :: Matter,
     -- | The paths through the camera's place.
     tracerTable :: LensTable,
-    tracerSky :: !SkyShader
+    -- | Likewise.
+    tracerSky :: SkyShader
   }
 
 -- | What shines along the way.
@@ -75,10 +78,17 @@ data Matter
   | Gaseous !Gas
 
 -- | Make a scene ready. 'Nothing' if its camera looks nowhere
--- ('cameraFrame'); a validated scene has none of that.
+-- ('cameraFrame'), which no validated scene has, or its sky is a panorama: that
+-- needs 'tracerUnder'.
 tracer :: Scene -> Maybe Tracer
-tracer scene = do
+tracer = tracerUnder Nothing
+
+-- | The same with the picture of the sky if the scene's is a panorama
+-- ('neededPicture').
+tracerUnder :: Maybe SkyImage -> Scene -> Maybe Tracer
+tracerUnder picture scene = do
   frame <- cameraFrame (sceneCamera scene)
+  sky <- shader
   pure
     Tracer
       { tracerPlane = picturePlane (sceneCamera scene) (scenePicture scene) frame,
@@ -98,9 +108,9 @@ tracer scene = do
     table = lensTable (XYZ.norm place)
     place = posePosition (cameraPose (sceneCamera scene))
     seed = sceneSeed scene
-    sky
-      | sceneDebugTextures scene = ByDirection (const gridRadiance)
-      | otherwise = skyShader seed (sceneSky scene)
+    shader
+      | sceneDebugTextures scene = Just (ByDirection (const gridRadiance))
+      | otherwise = skyShader picture seed (sceneSky scene)
     matter = case sceneDisk scene of
       Nothing -> Vacuum
       Just disk
@@ -111,7 +121,8 @@ tracer scene = do
 -- the others. Without, the first ray that needs it waits for it.
 tracerTables :: Tracer -> [()]
 tracerTables traced =
-  seq (tracerMatter traced) () : [seq (tracerTable traced) () | sceneIntegrator (tracerScene traced) == Tabulated]
+  [tracerMatter traced `seq` (), tracerSky traced `seq` ()]
+    ++ [tracerTable traced `seq` () | sceneIntegrator (tracerScene traced) == Tabulated]
 
 -- | Follow a line of sight by the scene's own integrator and hand the stretches
 -- that lie where there can be gas to the gatherer. The point of the picture is
@@ -261,16 +272,14 @@ tracedSky traced point sight fate = case fate of
 tracedBeam :: Tracer -> XY -> SightLine -> XYZ -> Maybe Beam
 tracedBeam traced point@(XY x y) sight direction = case sceneSpacetime (tracerScene traced) of
   Schwarzschild
-    | Just alongX <- change (XY (x + step) y),
-      Just alongY <- change (XY x (y + step)) ->
-      Just (Beam direction alongX alongY)
+    | Just beside <- tracedSight traced (XY (x + step) y),
+      Just below <- tracedSight traced (XY x (y + step)),
+      Just (LensChanges alongX alongY) <-
+        lensChanges (tracerTable traced) (sightPhoton sight) direction (sightPhoton beside) (sightPhoton below) ->
+      Just (Beam direction ((1 / step) *^ alongX) ((1 / step) *^ alongY))
   _ -> beamByDifferences escape point
   where
     step = 0.01
-    change beside = do
-      neighbour <- tracedSight traced beside
-      moved <- lensChange (tracerTable traced) (sightPhoton sight) direction (sightPhoton neighbour)
-      pure ((1 / step) *^ moved)
     clear = traced {tracerRegion = emptyRegion}
     escape beside = do
       found <- tracedSight traced beside

@@ -5,6 +5,7 @@ module BlackHole.Trace.Sky
   ( SkyShader (..),
     skyShader,
     panoramaShader,
+    neededPicture,
   )
 where
 
@@ -14,6 +15,8 @@ import BlackHole.Noise.Lattice (unitLevel)
 import BlackHole.Noise.PerlinG (noise3)
 import BlackHole.Noise.Profile (normalised, octaves)
 import BlackHole.Noise.Threshold (perlin3Above)
+import BlackHole.Physics.Angle
+import BlackHole.Scene.Scene
 import BlackHole.Scene.Sky
 import BlackHole.Trace.Beam (Beam)
 import BlackHole.Trace.Grid
@@ -35,31 +38,41 @@ data SkyShader
 -- | The light of a sky under a scene's seed. A star is a black body and changes
 -- its colour with g; light of no known spectrum keeps it. Either way the
 -- intensity grows as g⁴.
-skyShader :: Word64 -> Sky -> SkyShader
-skyShader seed sky = case sky of
-  SkyNoise stars -> ByDirection (starRadiance seed stars)
-  SkyStars stars -> ByBeam (pointStarRadiance seed stars)
-  SkyGrid -> ByDirection (\g direction -> scaleRadiance (g * g * (g * g)) (gridRadiance direction))
-  SkyUniform v -> ByDirection (\g _ -> grey (v * g ^ (4 :: Int)))
-  SkyNone -> ByDirection (\_ _ -> black)
+--
+-- The picture of a panorama comes from outside; 'Nothing' where the sky is one
+-- and there is no picture.
+skyShader :: Maybe SkyImage -> Word64 -> Sky -> Maybe SkyShader
+skyShader picture seed sky = case sky of
+  SkyPanorama panorama -> panoramaShader panorama <$> picture
+  SkyNoise stars -> Just (ByDirection (starRadiance seed stars))
+  SkyStars stars -> Just (ByBeam (pointStarRadiance seed stars))
+  SkyGrid -> Just (ByDirection (\g direction -> scaleRadiance (g * g * (g * g)) (gridRadiance direction)))
+  SkyUniform v -> Just (ByDirection (\g _ -> grey (v * g ^ (4 :: Int))))
+  SkyNone -> Just (ByDirection (\_ _ -> black))
+
+-- | The file that has to be read before a scene can be traced.
+neededPicture :: Scene -> Maybe FilePath
+neededPicture scene = case sceneSky scene of
+  SkyPanorama panorama | not (sceneDebugTextures scene) -> Just (panoramaFile panorama)
+  _ -> Nothing
 
 -- | Point stars before the Milky Way.
 pointStarRadiance :: Word64 -> PointStars -> Double -> Beam -> Radiance
 pointStarRadiance seed stars
-  | pointStarsMilkyWay stars > 0 = \g beam ->
-    starFieldRadiance field g beam <+> scaleRadiance (pointStarsMilkyWay stars * (g * g * (g * g))) (skyImageRadiance band beam)
-  | otherwise = starFieldRadiance field
+  | pointStarsMilkyWay stars > 0 =
+    band `seq` field `seq` \g beam ->
+      starFieldRadiance field g beam <+> scaleRadiance (pointStarsMilkyWay stars * (g * g * (g * g))) (skyImageRadiance band beam)
+  | otherwise = field `seq` starFieldRadiance field
   where
     field = starField (1e-6 * pointStarsBrightness stars) (starCatalogue (purposeSeed seed StarPlaces) (pointStarsCount stars))
     band = milkyWay (purposeSeed seed GalacticClouds)
 
--- | A picture of the sky, turned about +y by an angle in radians ('turned'), and
--- so many times as bright.
-panoramaShader :: Double -> Double -> SkyImage -> SkyShader
-panoramaShader brightness angle image = ByBeam $ \g beam ->
-  scaleRadiance (brightness * (g * g * (g * g))) (skyImageRadiance image (turn beam))
+-- | A picture of the sky, turned ('turned') and as bright as the panorama says.
+panoramaShader :: Panorama -> SkyImage -> SkyShader
+panoramaShader panorama image = ByBeam $ \g beam ->
+  scaleRadiance (panoramaBrightness panorama * (g * g * (g * g))) (skyImageRadiance image (turn beam))
   where
-    turn = turned angle
+    turn = turned (inRadians (toRadians (panoramaRotation panorama)))
 
 -- | Stars where noise on the sphere rises above a threshold.
 starRadiance :: Word64 -> Stars -> Double -> XYZ -> Radiance

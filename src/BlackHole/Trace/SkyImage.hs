@@ -26,6 +26,7 @@ module BlackHole.Trace.SkyImage
 where
 
 import BlackHole.Light.Radiance
+import BlackHole.Numeric.Parallel (inParallel)
 import BlackHole.Trace.Beam
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
 import qualified BlackHole.Vector.XYZ as XYZ
@@ -79,23 +80,26 @@ skyImageFromPixels width height pixel
       pure fields
 
 -- | A picture of so many rings (at least 1) by the radiance of each direction,
--- asked for in the middle of every field.
+-- asked for in the middle of every field, by all processors that are idle.
 skyImageFromDirections :: Int -> (XYZ -> Radiance) -> SkyImage
-skyImageFromDirections wanted radiance = withCoarser rings $
-  U.create $ do
-    fields <- M.replicate (3 * U.sum counts) 0
-    forM_ [0 .. rings - 1] $ \i ->
-      let n = U.unsafeIndex counts i
-          start = U.unsafeIndex starts i
-          go j
-            | j >= n = pure ()
-            | otherwise = addTo fields (start + j) 1 (radiance (middle i n j)) >> go (j + 1)
-       in go 0
-    pure fields
+skyImageFromDirections wanted radiance =
+  withCoarser rings (U.concat (inParallel (map band [0, ringsAtOnce .. rings - 1])))
   where
     rings = max 1 wanted
+    ringsAtOnce = 8
+    band first = U.create $ do
+      let final = min rings (first + ringsAtOnce)
+          starts = U.scanl' (+) 0 (U.slice first (final - first) counts)
+      fields <- M.replicate (3 * U.last starts) 0
+      forM_ [first .. final - 1] $ \i ->
+        let n = U.unsafeIndex counts i
+            start = U.unsafeIndex starts (i - first)
+            go !j
+              | j >= n = pure ()
+              | otherwise = addTo fields (start + j) 1 (radiance (middle i n j)) >> go (j + 1)
+         in go 0
+      pure fields
     counts = ringsOf rings
-    starts = U.scanl' (+) 0 counts
     middle :: Int -> Int -> Int -> XYZ
     middle i n j =
       directionAt
@@ -290,11 +294,14 @@ blurredRadiance image size direction
 -- beam.
 skyImageRadiance :: SkyImage -> Beam -> Radiance
 skyImageRadiance image beam
+  -- Most beams are narrower than the finest field either way.
+  | beamExtent beam <= fieldSize image && directed d = levelRadiance image 0 (placeOf d)
   | isNaN (XYZ.norm d) || isNaN wholeLength || isInfinite wholeLength = skyImageMean image
   | taps <= 1 = blurredRadiance image long d
   | otherwise = gather 0 0 black
   where
     d = beamDirection beam
+    directed (XYZ x y z) = let size = abs x + abs y + abs z in size > 0 && size < 1 / 0
     (wholeAxis, narrow) = beamWidths beam
     wholeLength = XYZ.norm wholeAxis
     -- Past a radian the tangent plane says nothing of the sphere any more.

@@ -31,6 +31,7 @@ import BlackHole.Trace.StarCatalogue
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ
 import Control.Monad (forM_)
+import Data.Int (Int32)
 import qualified Data.Vector.Unboxed as U
 import qualified Data.Vector.Unboxed.Mutable as M
 import GHC.Float (double2Float, float2Double)
@@ -46,7 +47,7 @@ data Tier = Tier
     tierLimit :: !Double,
     -- | Number of each cell's first star, and one more entry at the end. Cells
     -- are in rows, rows in faces.
-    tierCells :: !(U.Vector Int),
+    tierCells :: !(U.Vector Int32),
     -- | Direction, flux and temperature of each star.
     tierStars :: !(U.Vector Float),
     -- | The same light, blurred.
@@ -57,16 +58,17 @@ data Tier = Tier
 -- magnitude 0. About 0.3 µs a star; the blurred pictures are made when they are
 -- first needed.
 starField :: Double -> StarCatalogue -> StarField
-starField unitFlux stars =
-  StarField
-    [ tier unitFlux stars side limit rings from (min to (starCount stars))
-      | (from, to, side, limit, rings) <-
-          [ (0, 400, 8, 0.4, 16),
-            (400, 6000, 32, 0.14, 32),
-            (6000, starCount stars, 96, 0.05, 64)
-          ],
-        from < min to (starCount stars)
-    ]
+starField unitFlux stars = foldr seq (StarField tiers) tiers
+  where
+    tiers =
+      [ tier unitFlux stars side limit rings from (min to (starCount stars))
+        | (from, to, side, limit, rings) <-
+            [ (0, 400, 16, 0.4, 16),
+              (400, 6000, 64, 0.14, 32),
+              (6000, starCount stars, 160, 0.05, 64)
+            ],
+          from < min to (starCount stars)
+      ]
 
 -- | The stars with numbers from one to below another.
 tier :: Double -> StarCatalogue -> Int -> Double -> Int -> Int -> Int -> Tier
@@ -74,7 +76,7 @@ tier unitFlux stars side limit rings from to =
   Tier
     { tierSide = side,
       tierLimit = limit,
-      tierCells = starts,
+      tierCells = U.map fromIntegral starts,
       tierStars = sorted,
       tierBlurred = skyImageFromSources rings count (starDirection stars . (from +)) (light . (from +))
     }
@@ -142,28 +144,33 @@ kernelRadius = 1.5
 -- frequency: black bodies of g times their temperature, and g⁴ times as
 -- bright.
 --
--- A beam of a pixel's size costs some 50 ns without a star in it and 0.1 µs more
+-- A beam of a pixel's size costs some 80 ns without a star in it and 0.1 µs more
 -- for each star that is.
 starFieldRadiance :: StarField -> Double -> Beam -> Radiance
-starFieldRadiance (StarField tiers) g beam@(Beam d a b)
-  | isNaN extent || isNaN (XYZ.norm d) || isInfinite extent = scaleRadiance (g ^ (4 :: Int)) (foldMap (skyImageMean . tierBlurred) tiers)
-  | otherwise = scaleRadiance (g ^ (4 :: Int)) (go black tiers)
+starFieldRadiance (StarField tiers) g beam@(Beam (XYZ dx dy dz) a b)
+  | isNaN (extent + dx + dy + dz) || isInfinite extent = scaleRadiance g4 (foldMap (skyImageMean . tierBlurred) tiers)
+  | otherwise = scaleRadiance g4 (go black tiers)
   where
+    !g4 = g * g * (g * g)
     !extent = kernelRadius * beamExtent beam
     !area = abs (beamSolidAngle beam)
-    -- A beam that is squeezed into a line changes across its own width (it lies
-    -- on a critical curve of the lens): to say of a star how bright it is there
-    -- takes more than a Jacobian, and a wrong guess would sparkle.
-    !sharpness = max 0 (min 1 (area / (squeezed * extent * extent) - 1))
+    !breadth = XYZ.dot a a + XYZ.dot b b
+    -- On a critical curve of the lens the beam is squeezed into a line, and
+    -- within its own width the light of a star grows beyond all bounds: to say
+    -- how far takes more than a Jacobian, and a wrong guess would sparkle. So
+    -- within some two pixels of the curve a star is as bright as there.
+    !weight = 1 / max area (breadth * min squeezed (4 * sqrt breadth))
+    look = lookThrough g extent beam
     go !light [] = light
-    go !light (t : rest) = go (light <+> tierRadiance t) rest
-    tierRadiance t
-      | share >= 1 = points t
-      | share <= 0 = blurred t
-      | otherwise = scaleRadiance share (points t) <+> scaleRadiance (1 - share) (blurred t)
+    go !light (t : rest)
+      | share >= 1 = go (light <+> points t) rest
+      | share <= 0 = go (light <+> blurred t) rest
+      | otherwise = go (light <+> scaleRadiance share (points t) <+> scaleRadiance (1 - share) (blurred t)) rest
       where
-        share = sharpness * max 0 (min 1 (2 - 2 * extent / tierLimit t))
-    points t = scaleRadiance (1 / area) (tierPoints t g extent beam a b)
+        share = max 0 (min 1 (2 - 2 * extent / tierLimit t))
+    points t
+      | area > 1e-9 * breadth = scaleRadiance weight (tierPoints look t)
+      | otherwise = black
     blurred t = warmed (skyImageRadiance (tierBlurred t) beam)
     -- The mixture has about the colour of one black body.
     warmed light
@@ -174,18 +181,35 @@ starFieldRadiance (StarField tiers) g beam@(Beam d a b)
     ratio (Radiance r' g' b') (Radiance r'' g'' b'') (Radiance r0 g0 b0) =
       Radiance (r0 * r' / r'') (g0 * g' / g'') (b0 * b' / b'')
 
--- | Solid angle of a beam's pixel, over its extent squared, below which single
--- stars count for nothing: that of an ellipse of some 1 : 60.
+-- | How slender an ellipse is taken for its word, as the shorter axis over the
+-- longer one. Where pixels are fine, so is the change from one to the next, and
+-- more slender ones are taken: an Einstein ring of radius ρ has one of δ\/ρ at δ
+-- pixels from it.
 squeezed :: Double
-squeezed = 5e-3
+squeezed = 1 / 60
 
 -- | Colour temperature of the mixture of all stars, in kelvin.
 meanTemperature :: Double
 meanTemperature = 7000
 
--- | The stars of a tier in a beam: the sum of flux times kernel.
-tierPoints :: Tier -> Double -> Double -> Beam -> XYZ -> XYZ -> Radiance
-tierPoints t g extent beam@(Beam (XYZ dx dy dz) _ _) (XYZ jx jy jz) (XYZ kx ky kz)
+-- | A beam made ready to look at stars through, the same for all tiers:
+-- frequency over that of the star, direction, the two of 'beamAxes', the window,
+-- and what a beam that goes beyond one face covers besides.
+data Look
+  = Look
+      !Double
+      {-# UNPACK #-} !XYZ
+      {-# UNPACK #-} !XYZ
+      {-# UNPACK #-} !XYZ
+      {-# UNPACK #-} !Window
+      ![Window]
+
+-- | A rectangle of a face of the cube: the face's number, and the least and
+-- greatest of its two coordinates, which on the face are −1 … 1.
+data Window = Window !Int !Double !Double !Double !Double
+
+lookThrough :: Double -> Double -> Beam -> Look
+lookThrough g extent beam@(Beam d@(XYZ dx dy dz) (XYZ jx jy jz) (XYZ kx ky kz))
   | ax >= ay && ax >= az = onFace (if dx >= 0 then Face 0 1 else Face 1 (-1)) dx dy dz jx jy jz kx ky kz
   | ay >= az = onFace (if dy >= 0 then Face 2 1 else Face 3 (-1)) dy dz dx jy jz jx ky kz kx
   | otherwise = onFace (if dz >= 0 then Face 4 1 else Face 5 (-1)) dz dx dy jz jx jy kz kx ky
@@ -193,77 +217,74 @@ tierPoints t g extent beam@(Beam (XYZ dx dy dz) _ _) (XYZ jx jy jz) (XYZ kx ky k
     !ax = abs dx
     !ay = abs dy
     !az = abs dz
-    !side = tierSide t
-    !(XYZ px py pz, XYZ qx qy qz) = beamAxes beam
+    !(p, q) = beamAxes beam
     -- A star within the kernel lies within this many pixels on the tangent
     -- plane, on which it stands farther out than on the sphere.
     !radius = kernelRadius * (1 + extent * extent)
     -- The usual beam lies within one face.
     onFace face w u v jw ju jv kw ku kv = case rectangle face w u v jw ju jv kw ku kv of
-      Rectangle u0 u1 v0 v1
-        | u0 >= -1 && u1 <= 1 && v0 >= -1 && v1 <= 1 -> scanFace (faceNumber face) u0 u1 v0 v1 black
-      _ -> foldr wide black [Face 0 1, Face 1 (-1), Face 2 1, Face 3 (-1), Face 4 1, Face 5 (-1)]
-    wide face light = case bounds face of
-      Nowhere -> light
-      Rectangle u0 u1 v0 v1
-        | u0 > 1 || u1 < -1 || v0 > 1 || v1 < -1 -> light
-        | otherwise -> scanFace (faceNumber face) u0 u1 v0 v1 light
-    bounds face
-      | faceNumber face < 2 = rectangle face dx dy dz jx jy jz kx ky kz
-      | faceNumber face < 4 = rectangle face dy dz dx jy jz jx ky kz kx
+      Just window@(Window _ u0 u1 v0 v1)
+        | u0 >= -1 && u1 <= 1 && v0 >= -1 && v1 <= 1 -> Look g d p q window []
+      _ -> case [w' | Just w'@(Window _ u0 u1 v0 v1) <- map bounds faces, u0 <= 1, u1 >= -1, v0 <= 1, v1 >= -1] of
+        first : others -> Look g d p q first others
+        [] -> Look g d p q (Window 0 1 (-1) 1 (-1)) []
+    faces = [Face 0 1, Face 1 (-1), Face 2 1, Face 3 (-1), Face 4 1, Face 5 (-1)]
+    bounds face@(Face n _)
+      | n < 2 = rectangle face dx dy dz jx jy jz kx ky kz
+      | n < 4 = rectangle face dy dz dx jy jz jx ky kz kx
       | otherwise = rectangle face dz dx dy jz jx jy kz kx ky
-    rectangle (Face _ sign) w u v jw ju jv kw ku kv
-      | middle + slack <= 0 = Nowhere
-      | middle <= 1.05 * slack + 0.02 = Rectangle (-1) 1 (-1) 1
+    rectangle (Face n sign) w u v jw ju jv kw ku kv
+      | middle + slack <= 0 = Nothing
+      | middle <= 1.05 * slack + 0.02 = Just (Window n (-1) 1 (-1) 1)
       | otherwise =
-        let fu = u / middle
-            fv = v / middle
+        let nearer = 1 / middle
+            fu = u * nearer
+            fv = v * nearer
             k = radius / (middle - slack)
             eu = k * (abs (ju - fu * sign * jw) + abs (ku - fu * sign * kw))
             ev = k * (abs (jv - fv * sign * jw) + abs (kv - fv * sign * kw))
-         in Rectangle (fu - eu) (fu + eu) (fv - ev) (fv + ev)
+         in Just (Window n (fu - eu) (fu + eu) (fv - ev) (fv + ev))
       where
         middle = sign * w
         slack = radius * (abs jw + abs kw)
-    scanFace !face !u0 !u1 !v0 !v1 = rows (face * side + index side v0) (face * side + index side v1)
+    {-# INLINE rectangle #-}
+
+-- | The stars of a tier in a beam: the sum of flux times kernel.
+tierPoints :: Look -> Tier -> Radiance
+tierPoints (Look !g (XYZ dx dy dz) (XYZ px py pz) (XYZ qx qy qz) window others) (Tier side _ cells stars _) =
+  case others of
+    [] -> scanWindow window black
+    _ -> foldr scanWindow (scanWindow window black) others
+  where
+    scanWindow (Window face u0 u1 v0 v1) = rows (face * side + index side v0)
       where
+        !final = face * side + index side v1
         !left = index side u0
         !right = index side u1
-        rows !row !final !light
+        rows !row !light
           | row > final = light
           | otherwise =
-            rows
-              (row + 1)
-              final
-              ( scan
-                  (U.unsafeIndex (tierCells t) (row * side + left))
-                  (U.unsafeIndex (tierCells t) (row * side + right + 1))
-                  light
-              )
+            rows (row + 1) (scan (start (row * side + left)) (start (row * side + right + 1)) light)
+    start i = fromIntegral (U.unsafeIndex cells i) :: Int
+    scan :: Int -> Int -> Radiance -> Radiance
     scan !i !end !light
       | i >= end = light
       | abs p >= kernelRadius || abs q >= kernelRadius || dx * x + dy * y + dz * z <= 0 = scan (i + 1) end light
-      | otherwise = scan (i + 1) end (light <+> starLight (at 3) (at 4) p q)
+      | otherwise =
+        let Radiance r' g' b' = tabulatedColour (g * at 4)
+            k = at 3 * pixelKernel p * pixelKernel q
+            Radiance r0 g0 b0 = light
+         in scan (i + 1) end (Radiance (r0 + k * r') (g0 + k * g') (b0 + k * b'))
       where
-        at k = float2Double (U.unsafeIndex (tierStars t) (starNumbers * i + k))
+        at k = float2Double (U.unsafeIndex stars (starNumbers * i + k))
         x = at 0
         y = at 1
         z = at 2
         p = px * x + py * y + pz * z
         q = qx * x + qy * y + qz * z
-    starLight flux temperature p q =
-      scaleRadiance (flux * pixelKernel p * pixelKernel q) (tabulatedColour (g * temperature))
 
 -- | A face of the cube, and the sign of its axis.
 data Face = Face !Int !Double
-
-faceNumber :: Face -> Int
-faceNumber (Face n _) = n
-
--- | What a beam covers of a face.
-data Rectangle
-  = Nowhere
-  | Rectangle !Double !Double !Double !Double
 
 -- | The mean radiance of the sky for an observer at rest at infinity.
 starFieldMean :: StarField -> Radiance

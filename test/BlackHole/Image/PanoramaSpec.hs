@@ -19,16 +19,19 @@ spec = do
     sequence_
       [ do
           panoramaSize bytes `shouldBe` Just (16, 8)
-          case decodePanorama bytes of
+          decoded <- decodePanorama bytes
+          case decoded of
             Left problem -> expectationFailure (name ++ " " ++ problem)
             Right image -> luminance (skyImageMean image) `shouldBeWithin` (tolerance, expected)
         | (name, bytes, tolerance, expected) <- files
       ]
   it "says in one line what is wrong with other files" $
     sequence_
-      [ case fmap skyImageMean (decodePanorama bytes) of
-          Left line -> lines line `shouldBe` [line]
-          Right _ -> expectationFailure ("took " ++ show (Bytes.take 12 bytes))
+      [ do
+          decoded <- decodePanorama bytes
+          case fmap skyImageMean decoded of
+            Left line -> lines line `shouldBe` [line]
+            Right _ -> expectationFailure ("took " ++ show (Bytes.take 12 bytes))
         | bytes <-
             [ Bytes.empty,
               Char8.pack "not a picture",

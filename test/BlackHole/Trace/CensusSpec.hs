@@ -14,7 +14,7 @@ spec :: Spec
 spec = do
   let small = defaultScene {scenePicture = Picture 24 12, sceneSamples = 2}
   it "of a small picture is a count of all its pixels" $ do
-    Just counted <- pure (census small (0, 12))
+    Just counted <- pure (census Nothing small (0, 12))
     Just traced <- pure (tracer small)
     censusLines counted `shouldBe` 24 * 12
     let rays = [fromIntegral (estimateCount (pixelEstimate traced column row)) | row <- [0 .. 11], column <- [0 .. 23]]
@@ -24,21 +24,21 @@ spec = do
     mean (censusGasSamples counted) `shouldSatisfy` near (sum (map (fromIntegral . snd) middles) / 288)
   it "of a large picture is within five standard errors of that of its every line" $ do
     let large = small {scenePicture = Picture 160 90, sceneNoise = 0, sceneIntegrator = Exact}
-    Just few <- pure (census large (0, 90))
+    Just few <- pure (census Nothing large (0, 90))
     censusLines few `shouldSatisfy` (\n -> n > 900 && n < 1100)
-    let parts = [c | row <- [0 .. 89], Just c <- [census large (row, 1)]]
+    let parts = [c | row <- [0 .. 89], Just c <- [census Nothing large (row, 1)]]
     map censusLines parts `shouldBe` replicate 90 160
     let whole = sum (map (mean . censusSteps) parts) / 90
         Mean estimate off = censusSteps few
     abs (estimate - whole) `shouldSatisfy` (< 5 * off)
   it "finds the leapfrog's error, which falls with the square of its step, and none of the closed form" $ do
     let leaping step = reportScene {scenePicture = Picture 24 12, sceneIntegrator = Leapfrogging, sceneStep = step, sceneDisk = Nothing}
-        worst scene = maybe 0 censusDirectionError (census scene (0, 12))
+        worst scene = maybe 0 censusDirectionError (census Nothing scene (0, 12))
     worst (leaping 0.1) / worst (leaping 0.05) `shouldSatisfy` (\ratio -> ratio > 2.5 && ratio < 6)
     worst small {sceneIntegrator = Exact} `shouldBe` 0
     worst small `shouldSatisfy` (\e -> e > 0 && e < 1e-6)
   it "has nothing to say of no rows" $
-    census small (3, 0) `shouldBe` Nothing
+    census Nothing small (3, 0) `shouldBe` Nothing
   where
     mean (Mean m _) = m
     near expected m = abs (m - expected) <= 1e-9 * (1 + expected)

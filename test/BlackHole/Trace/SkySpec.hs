@@ -1,6 +1,7 @@
 module BlackHole.Trace.SkySpec (spec) where
 
 import BlackHole.Light.Radiance
+import BlackHole.Physics.Angle (Degrees (..))
 import BlackHole.Scene.Sky
 import BlackHole.Trace.Beam
 import BlackHole.Trace.Sky
@@ -34,16 +35,17 @@ spec = do
     length [() | d <- directionsOf 20000, shown 1 (SkyNoise reportStars) 1 d /= shown 2 (SkyNoise reportStars) 1 d]
       `shouldSatisfy` (> 10)
   it "a panorama is as bright as it is said to be, and g⁴ times that" $
-    case (panoramaShader 3 1 <$> skyImageFromPixels 8 4 (\_ _ -> grey 0.5), wide (XYZ 0 1 0)) of
+    case (panoramaShader (Panorama "" (Degrees 40) 3) <$> skyImageFromPixels 8 4 (\_ _ -> grey 0.5), wide (XYZ 0 1 0)) of
       (Just (ByBeam shader), beam) -> luminance (shader 2 beam) `shouldBeWithin` (1e-4, 24)
       _ -> expectationFailure "a panorama needs the beam"
   where
     -- Made once, for all the properties' cases.
     shaders = [(sky, shown 7 sky) | sky <- [SkyNoise reportStars, SkyNoise defaultStars, SkyStars defaultPointStars, SkyGrid, SkyUniform 0.4, SkyNone]]
     shown :: Word64 -> Sky -> Double -> XYZ -> Radiance
-    shown seed sky = case skyShader seed sky of
-      ByDirection shader -> shader
-      ByBeam shader -> \g d -> shader g (wide d)
+    shown seed sky = case skyShader Nothing seed sky of
+      Just (ByDirection shader) -> shader
+      Just (ByBeam shader) -> \g d -> shader g (wide d)
+      Nothing -> \_ _ -> Radiance (0 / 0) 0 0
     -- Some hundredths of a radian.
     wide d@(XYZ x y z) = Beam d (0.02 *^ XYZ y (-x) 0) (0.02 *^ XYZ.cross d (XYZ z 0.1 x))
     -- Evenly over the sphere along a spiral of golden angles.

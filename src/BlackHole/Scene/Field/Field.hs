@@ -18,6 +18,7 @@ module BlackHole.Scene.Field.Field
     seed,
     switch,
     choice,
+    choiceOrFile,
     vector,
 
     -- * Options
@@ -147,6 +148,21 @@ choice topic path what choices doc part =
         NameValue name | Just (v, _, _) <- find (\(_, n, _) -> n == name) choices -> partSet part v scene
         _ -> scene
     }
+
+-- | @choiceOrFile topic path what choices file toFile doc part@: a choice, or else
+-- a file of the given kind (with its article), with how a file's name becomes a
+-- value and what file's name a value is.
+choiceOrFile :: Eq a => Topic -> String -> String -> [(a, String, String)] -> String -> (FilePath -> a, a -> Maybe FilePath) -> String -> Part Scene a -> Field
+choiceOrFile topic path what choices file (fromFile, toFile) doc part =
+  chosen
+    { fieldKind = ChoiceOrFileKind what [(name, meaning) | (_, name, meaning) <- choices] file,
+      fieldGet = \scene -> maybe (fieldGet chosen scene) (Just . FileValue) (partOf part scene >>= toFile),
+      fieldSet = \value -> case value of
+        FileValue name -> partSet part (fromFile name)
+        _ -> fieldSet chosen value
+    }
+  where
+    chosen = choice topic path what choices doc part
 
 -- | @vector topic path doc part@: three finite numbers.
 vector :: Topic -> String -> String -> Part Scene XYZ -> Field

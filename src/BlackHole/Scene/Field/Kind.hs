@@ -17,7 +17,7 @@ import BlackHole.Scene.Field.Number
 import BlackHole.Scene.Problem (suggestion)
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ
-import Data.Char (toLower)
+import Data.Char (isControl, toLower)
 import Data.List (intercalate)
 import Data.Word (Word64)
 
@@ -29,6 +29,8 @@ data Value
   | SwitchValue !Bool
   | -- | One of the names of a choice.
     NameValue !String
+  | -- | A file's name.
+    FileValue !FilePath
   | VectorValue !XYZ
   deriving (Eq, Show)
 
@@ -42,6 +44,8 @@ data Kind
   | SwitchKind
   | -- | What it is, with its article, and the names with what they mean.
     ChoiceKind !String ![(String, String)]
+  | -- | The same, or else a file: what kind of file, with its article.
+    ChoiceOrFileKind !String ![(String, String)] !String
   | -- | Three finite numbers.
     VectorKind
   deriving (Eq, Show)
@@ -79,10 +83,19 @@ readValue kind text = maybe (Left (expectation kind text)) Right $ case kind of
   SwitchKind -> SwitchValue <$> lookup lower switches
   ChoiceKind _ choices | lower `elem` map fst choices -> Just (NameValue lower)
   ChoiceKind _ _ -> Nothing
+  ChoiceOrFileKind _ choices _
+    | lower `elem` map fst choices -> Just (NameValue lower)
+    | isFileName text -> Just (FileValue text)
+    | otherwise -> Nothing
   VectorKind -> VectorValue <$> readVector text
   where
     lower = map toLower text
     switches = [("on", True), ("off", False), ("true", True), ("false", False), ("yes", True), ("no", False)]
+
+-- | Whether a text can name a file where there are words of a meaning of their
+-- own: it has a folder or an extension, and is a line of at most 1024 characters.
+isFileName :: String -> Bool
+isFileName text = any (`elem` text) "./" && null (drop 1024 text) && not (any isControl text)
 
 -- | What a value that cannot be read should have been.
 expectation :: Kind -> String -> String
@@ -93,6 +106,10 @@ expectation kind text = case kind of
   SwitchKind -> "on or off"
   ChoiceKind what choices ->
     what ++ suggestion text (map fst choices) ++ "; there are: " ++ intercalate ", " (map fst choices)
+  ChoiceOrFileKind what choices file ->
+    what ++ suggestion text (map fst choices) ++ "; there are: " ++ intercalate ", " (map fst choices) ++ ", and "
+      ++ file
+      ++ " by its name with extension or folder"
   VectorKind -> "X,Y,Z, three numbers with commas between them"
 
 -- | The value as a message names it.
@@ -103,6 +120,7 @@ showValue value = case value of
   SeedValue n -> show n
   SwitchValue b -> if b then "on" else "off"
   NameValue name -> name
+  FileValue file -> file
   VectorValue (XYZ x y z) -> intercalate "," (map showNumber [x, y, z])
 
 -- | The range that a value is out of.

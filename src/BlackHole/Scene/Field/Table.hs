@@ -21,7 +21,7 @@ import BlackHole.Scene.Field.Kind
 import BlackHole.Scene.Filter (Filter (..), filterName)
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Shifts (Shifts (..))
-import BlackHole.Scene.Sky (PointStars (..), Sky (..), Stars (..), defaultPointStars, defaultStars)
+import BlackHole.Scene.Sky (Panorama (..), PointStars (..), Sky (..), Stars (..), defaultPointStars, defaultStars, panoramaOf)
 import BlackHole.Vector.XYZ (XYZ (..))
 import Data.List (find, intercalate)
 import Data.Maybe (isJust)
@@ -99,8 +99,11 @@ sceneFields =
     number Disk "disk.turbulence.frequency" (Quantity "a number of features" (From 0) (UpTo 1000) "") "Features of the turbulence from one radius to e times it" (disk (part Gas.diskTurbulenceFrequency (\v d -> d {Gas.diskTurbulenceFrequency = v}))),
     whole Disk "disk.turbulence.octaves" (1, 8) "" "Octaves of the turbulence, each twice as fine as the one before" (disk (part Gas.diskTurbulenceOctaves (\v d -> d {Gas.diskTurbulenceOctaves = v}))),
     number Disk "disk.turbulence.warp" (Quantity "a number of features" (From 0) (UpTo 100) "") "How far the turbulence is bent out of shape, in features" (disk (part Gas.diskTurbulenceWarp (\v d -> d {Gas.diskTurbulenceWarp = v}))),
-    choice Sky "sky.kind" "a sky" skies "What lies behind: stars (points, and the Milky Way), noise (the report's stars), grid, uniform, or none" skyKindPart
-      `withOption` ("sky", "NAME"),
+    choiceOrFile Sky "sky.kind" "a sky" skies "a panorama" (PanoramaSky, panoramaSkyFile) "What lies behind: stars (points, and the Milky Way), noise (the report's stars), grid, uniform, none, or a panorama (the file of a picture twice as wide as high)" skyKindPart
+      `withOption` ("sky", "NAME|FILE"),
+    number Sky "sky.panorama.rotation" (angle Anything Endless "degrees") "Turn of a panorama about the disk's axis in degrees; at 0 its middle is behind the hole for a camera at azimuth 90" (panorama (part (inDegrees . panoramaRotation) (\v p -> p {panoramaRotation = Degrees v})))
+      `withOption` ("sky-rotation", "DEGREES"),
+    number Sky "sky.panorama.brightness" (Quantity "a radiance" (From 0) (UpTo 1e9) "") "Radiance of a panorama's white; 1 is display white at exposure 0" (panorama (part panoramaBrightness (\v p -> p {panoramaBrightness = v}))),
     number Sky "sky.radiance" (Quantity "a radiance" (From 0) (UpTo 1e9) "") "Radiance of a uniform sky; 1 is display white at exposure 0" radiancePart,
     number Sky "sky.stars.frequency" (Quantity "a number of features" (Above 0) (UpTo 1e6) "per radian") "Features of the stars' noise per radian" (stars (part starFrequency (\v s -> s {starFrequency = v}))),
     whole Sky "sky.stars.octaves" (1, 20) "" "Octaves of that noise: one gives round stars, more give shreds of light" (stars (part starOctaves (\v s -> s {starOctaves = v}))),
@@ -257,17 +260,21 @@ temperaturePart = disk (Part (temperature . Gas.diskColour) (\v d -> d {Gas.disk
     temperature _ = Nothing
 
 -- | The kinds of sky without what belongs to them.
-data SkyKind = NoiseSky | StarSky | GridSky | UniformSky | NoSky
+data SkyKind = NoiseSky | StarSky | PanoramaSky !FilePath | GridSky | UniformSky | NoSky
   deriving (Eq)
 
--- Choosing the kind that is there already leaves its settings alone.
+-- Choosing the kind that is there already leaves its settings alone, and so does
+-- another panorama.
 skyKindPart :: Part Scene SkyKind
-skyKindPart = part (skyKind . sceneSky) $ \kind s ->
-  if kind == skyKind (sceneSky s) then s else s {sceneSky = standard kind}
+skyKindPart = part (skyKind . sceneSky) $ \kind s -> case (kind, sceneSky s) of
+  (PanoramaSky file, SkyPanorama p) -> s {sceneSky = SkyPanorama p {panoramaFile = file}}
+  (_, sky) | kind == skyKind sky -> s
+  _ -> s {sceneSky = standard kind}
   where
     standard kind = case kind of
       NoiseSky -> SkyNoise defaultStars
       StarSky -> SkyStars defaultPointStars
+      PanoramaSky file -> SkyPanorama (panoramaOf file)
       GridSky -> SkyGrid
       UniformSky -> SkyUniform 1
       NoSky -> SkyNone
@@ -276,9 +283,20 @@ skyKind :: Sky -> SkyKind
 skyKind sky = case sky of
   SkyNoise _ -> NoiseSky
   SkyStars _ -> StarSky
+  SkyPanorama p -> PanoramaSky (panoramaFile p)
   SkyGrid -> GridSky
   SkyUniform _ -> UniformSky
   SkyNone -> NoSky
+
+panoramaSkyFile :: SkyKind -> Maybe FilePath
+panoramaSkyFile (PanoramaSky file) = Just file
+panoramaSkyFile _ = Nothing
+
+panorama :: Part Panorama a -> Part Scene a
+panorama = inside (Part (shown . sceneSky) (\v s -> s {sceneSky = SkyPanorama v}))
+  where
+    shown (SkyPanorama p) = Just p
+    shown _ = Nothing
 
 radiancePart :: Part Scene Double
 radiancePart = Part (uniform . sceneSky) $ \v s ->

@@ -130,6 +130,7 @@ readNode VectorKind node = case node of
     coordinate _ = Nothing
 readNode kind node = case (kind, node) of
   (ChoiceKind _ _, Scalar _ _ text) -> readValue kind text
+  (ChoiceOrFileKind {}, Scalar _ _ text) -> readValue kind text
   (NumberKind _, Scalar _ True text) | Just v <- yamlNumber text -> Right (NumberValue v)
   (_, Scalar _ True text) -> readValue kind text
   _ -> Left (expectation kind "")
@@ -183,4 +184,10 @@ yamlValue value = case value of
   SeedValue n -> show n
   SwitchValue b -> if b then "true" else "false"
   NameValue name -> name
+  FileValue file -> quoted file
   VectorValue (XYZ x y z) -> "[" ++ intercalate ", " (map exactNumber [x, y, z]) ++ "]"
+
+-- | Any text without control characters, in the quotes in which only they
+-- themselves mean anything.
+quoted :: String -> String
+quoted text = "'" ++ concatMap (\c -> if c == '\'' then "''" else [c]) text ++ "'"

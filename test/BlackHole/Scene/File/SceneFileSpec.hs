@@ -2,6 +2,7 @@
 
 module BlackHole.Scene.File.SceneFileSpec (spec) where
 
+import BlackHole.Image.Bytes (strict)
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Disk
 import BlackHole.Scene.Field.Field (Field (..))
@@ -14,6 +15,7 @@ import BlackHole.Scene.Setting
 import BlackHole.Scene.Validate (validateScene)
 import Control.Monad (filterM)
 import qualified Data.ByteString as Bytes
+import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Char8 as Char8
 import Data.List (nub)
 import Support.Generators
@@ -26,7 +28,7 @@ spec :: Spec
 spec = do
   it "printing and reading again changes no scene" $
     forAll validScene $ \scene ->
-      counterexample (printScene [] scene) (parse (Char8.pack (printScene ["A scene"] scene)) === Right scene)
+      counterexample (printScene [] scene) (parse (strict (Builder.stringUtf8 (printScene ["A scene"] scene))) === Right scene)
   it "a scene's settings make it from any other scene" $
     forAll ((,) <$> validScene <*> validScene) $ \(a, b) -> applySettings (sceneSettings a) b === a
   it "no field's path is another's, or its beginning" $ do
@@ -50,7 +52,7 @@ spec = do
     fmap (\s -> (scenePicture s, diskArms <$> sceneDisk s)) (parse "preset: report\nimage: {width: 640}\ndisk:\n  arms:\n    count: 3\n")
       `shouldBe` Right (Picture 640 360, Just 3)
   it "options count more than the file" $
-    fmap sceneSamples (resolveRequest (Request Nothing (Just ("s.yaml", "sampling: {samples: 9}")) [s | s <- sceneSettings reportScene, settingPath s == "sampling.samples"]))
+    fmap sceneSamples (resolveRequest (Request Nothing (Just ("s.yaml", "sampling: {samples: 9}")) "." [s | s <- sceneSettings reportScene, settingPath s == "sampling.samples"]))
       `shouldBe` Right 1
   describe "mistakes" $ do
     it "are told all at once, with line, path and nearest key" $
@@ -74,7 +76,7 @@ spec = do
     complains "length" (Char8.replicate 2000000 'a') ["s.yaml:1: a scene file has at most 1048576 bytes"]
     complains "emptiness" "# nothing\n" ["s.yaml:1: there is nothing in the file"]
   where
-    parse bytes = resolveRequest (Request Nothing (Just ("s.yaml", bytes)) [])
+    parse bytes = resolveRequest (Request Nothing (Just ("s.yaml", bytes)) "." [])
     complains name bytes expected = it name (parse bytes `shouldBe` Left expected)
     harmless bytes = case parse bytes of
       Right scene -> validateScene scene === []
