@@ -6,9 +6,9 @@ import System.Exit (die)
 
 main :: IO ()
 main = do
-  scene <- orDie (change [("image.width", "160"), ("camera.inclination", "75")] defaultScene)
+  scene <- orDie (change [("image.width", "64"), ("camera.inclination", "75")] defaultScene)
   film <- orDie =<< renderFilm (\rows -> putStrLn (show rows ++ " rows are done")) scene
-  print (filmRadiance film 80 45)
+  print (filmRadiance film 32 18)
   orDie =<< writeFilm "hole.png" scene film
   orDie =<< writeFilm "hole.exr" scene film
   where
