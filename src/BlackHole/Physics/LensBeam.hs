@@ -36,7 +36,7 @@ lensChanges table (Photon place velocity) direction (Photon _ velocity1) (Photon
   | otherwise = case lensSlope table radial tangential of
     Nothing -> Nothing
     Just !slope ->
-      let !parameter = lensParameter table radial tangential
+      let !offset = lensOffset table radial tangential
           -- Along the path's own turning, and out of its plane.
           !inPlane = XYZ.dot direction e1 *^ e2 ^-^ sine *^ e1
           towards v
@@ -45,7 +45,7 @@ lensChanges table (Photon place velocity) direction (Photon _ velocity1) (Photon
             where
               !radial' = XYZ.dot v e1
               !tangential' = XYZ.norm (v ^-^ radial' *^ e1)
-              !turning = slope * (lensParameter table radial' tangential' - parameter)
+              !turning = slope * (lensOffset table radial' tangential' - offset)
           {-# INLINE towards #-}
        in case towards velocity1 of
             Just change1 | Just change2 <- towards velocity2 -> Just (LensChanges change1 change2)

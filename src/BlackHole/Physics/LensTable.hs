@@ -27,7 +27,7 @@ module BlackHole.Physics.LensTable
     lensSweep,
     lensEnd,
     lensSlope,
-    lensParameter,
+    lensOffset,
   )
 where
 
@@ -325,7 +325,7 @@ closedForm table radial tangential = orbitSweep (orbit (lensTableRadius table) r
 closest :: Double
 closest = 0.5 ^^ octaveCount
 
--- | How the angle swept up to infinity changes with the 'lensParameter', at a
+-- | How the angle swept up to infinity changes with the 'lensOffset', at a
 -- photon of unit energy given by its radial and tangential velocity. 'Nothing'
 -- where that does not escape or is closer to the critical one than the table.
 lensSlope :: LensTable -> Double -> Double -> Maybe Double
@@ -341,8 +341,10 @@ lensSlope table radial tangential = case find table radial tangential of
   _ -> Nothing
 {-# INLINE lensSlope #-}
 
--- | The table's parameter of a photon of unit energy, by its radial and
--- tangential velocity. It grows towards the hole.
-lensParameter :: LensTable -> Double -> Double -> Double
-lensParameter = parameterOf . tableFamily
-{-# INLINE lensParameter #-}
+-- | How far a photon of unit energy, by its radial and tangential velocity, is from
+-- the one that winds round for ever: the difference of their parameters, which are
+-- about a quarter of their angles from the outward radius, for an observer at rest.
+-- Positive if it comes from the horizon.
+lensOffset :: LensTable -> Double -> Double -> Double
+lensOffset (LensTable family _ _) radial tangential = parameterOf family radial tangential - familyCritical family
+{-# INLINE lensOffset #-}

@@ -70,6 +70,7 @@ data SightLine = SightLine
 -- | An observer at a place, with what all his lines of sight have in common.
 data Eye = Eye
   { _eyeKind :: !EyeKind,
+    -- | Where he is.
     eyePlace :: {-# UNPACK #-} !XYZ,
     -- | Unit vector away from the hole.
     _eyeRadial :: {-# UNPACK #-} !XYZ,

@@ -44,7 +44,7 @@ milkyWay (Seed seed) = skyImageFromDirections milkyWayRings (light . toGalactic)
     square v = v * v
     -- The light of the old stars of the disk, some 4900 K.
     warm = Radiance 1 0.81 0.6
-    halo p = 0.035 * exp (-(abs p) / 0.4)
+    halo p = 0.035 * exp (negate (abs p / 0.4))
     -- Dust takes more of the blue light than of the red one.
     reddened depth (Radiance r g b) = Radiance (r * exp (-(0.8 * depth))) (g * exp (-depth)) (b * exp (-(1.25 * depth)))
     perlin noise = rememberedPerlin3 noise 9

@@ -4,13 +4,17 @@ import BlackHole.Image.Panorama
 import BlackHole.Light.Display (decodeSrgb)
 import BlackHole.Light.Radiance
 import BlackHole.Trace.SkyImage
+import qualified Codec.Compression.Zlib as Zlib
 import Codec.Picture
 import qualified Data.ByteString as Bytes
+import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Char8 as Char8
 import qualified Data.ByteString.Lazy as Lazy
+import Data.List (isInfixOf)
 import Support.Approx
 import System.FilePath ((</>))
 import System.IO.Temp (withSystemTempDirectory)
+import System.Timeout (timeout)
 import Test.Hspec
 
 spec :: Spec
@@ -56,6 +60,11 @@ spec = do
           | (_, bytes, _, _) <- files,
             k <- [0 .. 6]
         ]
+  it "does not unpack a PNG beyond its pixels" $ do
+    -- Twenty million bytes for 128 pixels.
+    let packed = Zlib.compress (Lazy.replicate 20000000 0)
+    outcome <- timeout 5000000 (decodePanorama (Lazy.toStrict (bloated packed)))
+    fmap (fmap skyImageMean) outcome `shouldSatisfy` maybe False (either (isInfixOf "more than its pixels") (const False))
   it "names no file that is not there" $ do
     outcome <- readPanorama "/nowhere/sky.png"
     fmap skyImageMean outcome `shouldSatisfy` either (const True) (const False)
@@ -66,5 +75,7 @@ spec = do
         ("tiff", Lazy.toStrict (encodeTiff (generateImage (\_ _ -> PixelRGB16 25700 25700 25700) 16 8)), 1e-4, decodeSrgb (100 / 255)),
         ("hdr", Lazy.toStrict (encodeHDR (generateImage (\_ _ -> PixelRGBF 3 3 3) 16 8)), 0.05, 3)
       ]
+    -- The header of a small picture before other data.
+    bloated packed = Builder.toLazyByteString (Builder.byteString (Bytes.take 33 png) <> Builder.word32BE (fromIntegral (Lazy.length packed)) <> Builder.string7 "IDAT" <> Builder.lazyByteString packed <> Builder.word32BE 0)
     png = Lazy.toStrict (encodePng (plain 16 8 :: Image PixelRGB8))
     plain = generateImage (\_ _ -> PixelRGB8 100 100 100)
