@@ -27,6 +27,7 @@ module BlackHole.Physics.LensTable
     lensSweep,
     lensEnd,
     lensTurning,
+    lensOffset,
   )
 where
 
@@ -343,3 +344,10 @@ lensTurning table (radial, tangential) (radial', tangential') = case find table 
   _ -> Nothing
   where
     parameter = parameterOf (tableFamily table)
+
+-- | How far a photon of unit energy, by its radial and tangential velocity, is from
+-- the one that winds round for ever: the difference of their parameters, which are
+-- about a quarter of their angles from the outward radius, for an observer at rest.
+-- Positive if it comes from the horizon.
+lensOffset :: LensTable -> Double -> Double -> Double
+lensOffset (LensTable family _ _) radial tangential = parameterOf family radial tangential - familyCritical family

@@ -10,6 +10,7 @@
 module BlackHole.Physics.SweptPath
   ( followSwept,
     sweptFate,
+    criticalOffset,
     sweepOf,
   )
 where
@@ -223,6 +224,11 @@ sweptFate space table photon = case end of
     end = case space of
       Schwarzschild -> lensEnd table radial tangential
       Flat -> sweepEnd (sweepOf Flat table radial tangential)
+
+-- | 'lensOffset' of a photon of unit energy at the table's radius.
+criticalOffset :: LensTable -> Photon -> Double
+criticalOffset table photon = case launch table photon of
+  Launch _ _ radial tangential -> lensOffset table radial tangential
 
 -- | How a photon starts: unit vectors outwards and onwards, which span its plane,
 -- and its velocity along them.

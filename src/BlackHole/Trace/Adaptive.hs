@@ -5,7 +5,8 @@
 -- All pixels get the scene's number of samples. Those that are uncertain then, or
 -- have a neighbour that is (thin things escape a pixel's few samples and hit those
 -- of the next), get twice as many, and again, until they are certain or have the
--- most.
+-- most. Those on the edge of the shadow always get the most: the third image of the
+-- gas is a tenth of a pixel wide, and too many pixels would not even suspect it.
 module BlackHole.Trace.Adaptive
   ( firstEstimate,
     refinedEstimate,
@@ -18,6 +19,7 @@ import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
 import BlackHole.Trace.Estimate
 import BlackHole.Trace.Pixel
+import BlackHole.Vector.XY (XY (..))
 
 -- | A pixel (column and row from the top left, from 0) after the samples that
 -- every pixel gets.
@@ -29,10 +31,12 @@ firstEstimate traced = addSamples traced 0 (sceneSamples (tracedScene traced)) n
 -- row, are 'uncertainEstimate's, all as they are stored ('asStored').
 refinedEstimate :: Tracer -> (Int -> Int -> Bool) -> Estimate -> Int -> Int -> Estimate
 refinedEstimate traced uncertain first !column !row
+  | meetsPhotonRing traced (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)) = addSamples traced (sceneSamples scene) (mostSamples scene) first column row
   | anyFrom (max 0 (row - 1)) = moreSamples traced first column row
   | otherwise = first
   where
-    Picture width height = scenePicture (tracedScene traced)
+    scene = tracedScene traced
+    Picture width height = scenePicture scene
     !left = max 0 (column - 1)
     !right = min (width - 1) (column + 1)
     !bottom = min (height - 1) (row + 1)

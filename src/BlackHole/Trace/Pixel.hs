@@ -13,6 +13,7 @@ module BlackHole.Trace.Pixel
     onlySample,
     sightRadiance,
     samplePoint,
+    meetsPhotonRing,
 
     -- * Its parts
     tracedScene,
@@ -277,6 +278,23 @@ tracedBeam traced point@(XY x y) sight direction = case sceneSpacetime (tracerSc
       case followSight clear beside found (\() _ -> Onward ()) () of
         Followed (Escaped d) _ _ -> Just d
         _ -> Nothing
+
+-- | Whether the edge of the shadow, where all further images of the gas crowd
+-- together in rings thinner than a pixel, passes through or beside the pixel around
+-- a point of the picture.
+meetsPhotonRing :: Tracer -> XY -> Bool
+meetsPhotonRing traced point@(XY x y) = case (sceneSpacetime scene, tracerMatter traced, tracedOffset point) of
+  (Schwarzschild, Gaseous _, Just here)
+    -- The ring is thousands of pixels away from most: be done with them cheaply.
+    -- Fast observers see it grow or shrink, but by no such factor.
+    | abs here < 16 * pixelAngle (sceneCamera scene) (scenePicture scene),
+      Just right <- tracedOffset (XY (x + 1) y),
+      Just below <- tracedOffset (XY x (y + 1)) ->
+      abs here < 1.5 * (abs (right - here) + abs (below - here))
+  _ -> False
+  where
+    scene = tracerScene traced
+    tracedOffset = fmap (criticalOffset (tracerTable traced) . sightPhoton) . tracedSight traced
 
 -- | One of a pixel's samples, by column, row and number.
 samplePoint :: Scene -> Int -> Int -> Int -> Sample

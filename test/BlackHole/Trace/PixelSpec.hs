@@ -65,6 +65,22 @@ spec = do
             let l = light preset {scenePicture = Picture 64 36} (XY x y)
         ]
 
+  it "knows the pixels on the edge of the shadow" $
+    sequence_
+      [ do
+          let traced = tracer defaultScene {scenePicture = Picture 640 360, sceneCamera = looking r 80, sceneObserver = observer}
+              alpha = case observer of
+                -- What somebody at rest sees, by aberration.
+                Falling -> 2 * atan (tan (0.5 * atRest) * sqrt ((1 - beta) / (1 + beta)))
+                _ -> atRest
+              atRest = asin (sqrt (6.75 * (1 - 1 / r)) / r)
+              beta = sqrt (1 / r)
+              edge = 320 + 320 * tan alpha / tan (30 * pi / 180)
+              found offset = maybe False (`meetsPhotonRing` XY (edge + offset) 180) traced
+          map found [-20, -4, -0.5, 0, 0.5, 4, 20] `shouldBe` [False, False, True, True, True, False, False]
+        | r <- [6, 20, 80],
+          observer <- [Static, Falling]
+      ]
   it "leaves nothing behind for a stretch of gas" . whenOptimised $
     case tracer defaultScene {sceneSky = SkyNone} of
       Nothing -> expectationFailure "no scene"
