@@ -6,7 +6,7 @@ import System.Exit (die)
 
 main :: IO ()
 main = do
-  scene <- orDie (change [("image.width", "64"), ("camera.inclination", "75")] defaultScene)
+  scene <- orDie (change [("image.width", "64"), ("sampling.samples", "1")] defaultScene)
   film <- orDie =<< renderFilm (\rows -> putStrLn (show rows ++ " rows are done")) scene
   print (filmRadiance film 32 18)
   orDie =<< writeFilm "hole.png" scene film

@@ -29,7 +29,7 @@ spec = do
   it "--stats holds no null, estimates with their errors, and measured bounds" $
     inFolder $ \folder -> do
       let file = folder </> "stats.json"
-      run ["render", "--width", "64", "--samples", "2", "--stats", file, "-o", folder </> "a.png"] `shouldReturn` ExitSuccess
+      run ["render", "--width", "40", "--samples", "2", "--stats", file, "-o", folder </> "a.png"] `shouldReturn` ExitSuccess
       text <- readFile file
       let Just json = readJson text
           at = foldl (\j name -> j >>= member name) (Just json)
@@ -37,7 +37,7 @@ spec = do
             Just (Number n) -> n
             _ -> -1
       filter (("null" `isInfixOf`) . dropWhile (/= ':')) (lines text) `shouldBe` ["  \"first_not_finite_pixel\": null,"]
-      number ["rays"] `shouldSatisfy` (>= 64 * 36 * 2)
+      number ["rays"] `shouldSatisfy` (>= 40 * 22 * 2)
       at ["rays_estimated"] `shouldBe` Just (Bool True)
       number ["estimates", "lines_of_sight"] `shouldSatisfy` (> 800)
       number ["estimates", "gas_samples", "total"] `shouldSatisfy` (> number ["rays"] / 2)
