@@ -89,6 +89,7 @@ import qualified BlackHole.Trace.EstimateSpec
 import qualified BlackHole.Trace.ExplainSpec
 import qualified BlackHole.Trace.GasSpec
 import qualified BlackHole.Trace.GridSpec
+import qualified BlackHole.Trace.PixelGeometrySpec
 import qualified BlackHole.Trace.PixelSpec
 import qualified BlackHole.Trace.PlaneCrossingSpec
 import qualified BlackHole.Trace.SamplingSpec
@@ -193,6 +194,7 @@ main = hspec $ do
   describe "BlackHole.Trace.Explain" BlackHole.Trace.ExplainSpec.spec
   describe "BlackHole.Trace.Gas" BlackHole.Trace.GasSpec.spec
   describe "BlackHole.Trace.Grid" BlackHole.Trace.GridSpec.spec
+  describe "BlackHole.Trace.PixelGeometry" BlackHole.Trace.PixelGeometrySpec.spec
   describe "BlackHole.Trace.Pixel" BlackHole.Trace.PixelSpec.spec
   describe "BlackHole.Trace.PlaneCrossing" BlackHole.Trace.PlaneCrossingSpec.spec
   describe "BlackHole.Trace.Sampling" BlackHole.Trace.SamplingSpec.spec

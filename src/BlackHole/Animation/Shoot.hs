@@ -49,7 +49,7 @@ data Shooting = Shooting
     shootingText :: !(Scene -> String),
     -- | The file of a frame, from its (first) scene and its light; 'Nothing' if
     -- its format has no room for the picture.
-    shootingDevelop :: !(Scene -> Light.Film -> IO (Maybe Lazy.ByteString))
+    shootingDevelop :: !(Scene -> Light.Exposed -> IO (Maybe Lazy.ByteString))
   }
 
 -- | What the listener hears of.
@@ -130,7 +130,7 @@ shoot shooting listen = do
         case exposed of
           Nothing -> pure (Left "its scenes cannot be traced together")
           Just light -> do
-            case Light.faultyPixels light of
+            case Light.faultyPixels (Light.exposedLight light) of
               (count, Just (x, y)) ->
                 listen (Remark ("frame " ++ show (jobFrame job) ++ ": " ++ show count ++ " pixels have no finite radiance, the first at " ++ show x ++ "," ++ show y))
               _ -> pure ()

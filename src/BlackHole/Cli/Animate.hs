@@ -142,7 +142,7 @@ runFilm ::
   AnimateOptions scene ->
   (String -> IO ()) ->
   (Scene -> String) ->
-  (Workers -> Scene -> Light.Film -> IO (Maybe Lazy.ByteString)) ->
+  (Workers -> Scene -> Light.Exposed -> IO (Maybe Lazy.ByteString)) ->
   Film ->
   IO Ending
 runFilm options say text develop film = do

@@ -43,12 +43,13 @@ import BlackHole.Scene.Validate
 import BlackHole.SelfTest.Check (Check, checkHolds)
 import BlackHole.Trace.Explain (explainPixel)
 import Control.Applicative ((<|>))
-import Control.Exception (IOException, SomeAsyncException (..), SomeException, catch, displayException, evaluate, fromException, throwIO, try)
+import Control.Exception (IOException, SomeAsyncException (..), SomeException, catch, displayException, fromException, throwIO, try)
 import Control.Monad (forM_, void, when)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.IORef
 import Data.List (intercalate)
+import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as Vector
 import Data.Version (showVersion)
 import GHC.Clock (getMonotonicTime)
@@ -56,7 +57,7 @@ import qualified Paths_blackhole as Package
 import qualified System.Console.Terminal.Size as Terminal
 import System.Environment (getEnvironment)
 import System.Exit (ExitCode (..))
-import System.IO (IOMode (ReadMode), hFlush, hIsTerminalDevice, hPutStrLn, hSetBinaryMode, stderr, stdout, withBinaryFile)
+import System.IO (Handle, IOMode (ReadMode), hFlush, hIsTerminalDevice, hPutStrLn, hSetBinaryMode, stderr, stdout, withBinaryFile)
 import System.IO.Error (ioeGetErrorString)
 import System.Info (compilerName, compilerVersion)
 
@@ -194,21 +195,22 @@ render options
            ]
     renderTo crew format coding scene = do
       let rows = pictureHeight (scenePicture scene)
-      exposing how crew scene (0, rows) output $ \film done seconds ->
-        finishing crew scene (0, done) film seconds (finishFilm crew programName format coding scene [] film) (noRoom output)
+      exposing how crew scene (0, rows) output $ \exposed done seconds ->
+        finishing crew scene (0, done) (exposedLight exposed) seconds $
+          maybe (complain CannotWrite (noRoom output)) (storeBy output) (finishBands crew programName format coding scene (pure . filmRows (exposedLight exposed)) (pure . countsRow scene exposed))
     tileTo crew part scene = do
       let band = shardRows part (pictureHeight (scenePicture scene))
-      exposing how {runKeepPartial = False} crew scene band output $ \film _ seconds ->
-        finishing crew scene band film seconds (pure (encodeTile (tileHeader programName part scene) film)) "the tile can't be coded"
-    finishing crew scene band film traced encoded refusal = do
+      exposing how {runKeepPartial = False} crew scene band output $ \exposed _ seconds ->
+        finishing crew scene band (exposedLight exposed) seconds $
+          maybe (complain CannotWrite "the tile can't be coded") (store output) (encodeTile (tileHeader programName part scene) (exposedCounts exposed) (exposedLight exposed))
+    finishing crew scene band film traced write = do
       faults <- warnOfFaults (fst band) film
       if runStrict how && fst faults > 0
         then complain InternalFault "--strict: no file is written because of them"
         else do
-          (bytes, developing) <- timed (encoded >>= traverse (\b -> b <$ evaluate (Lazy.length b)))
-          (status, writing) <- timed (maybe (complain CannotWrite refusal) (store output) bytes)
+          (status, writing) <- timed write
           memory <- peakMemory
-          let stats = Stats versionLine scene crew band traced developing writing memory faults
+          let stats = Stats versionLine scene crew band traced writing memory faults
           case runStats how of
             Just file | status == Done -> do
               written <- writeFileAtomically file (statsText stats)
@@ -218,32 +220,37 @@ render options
 -- | Trace rows of a scene, tell how far that is, and go on with the film, the
 -- number of rows done and the seconds it took. If some is to be kept when a signal comes, bands are traced
 -- one after the other, and those that are done make a film that is black below.
-exposing :: RunOptions -> Workers -> Scene -> (Int, Int) -> FilePath -> (Film -> Int -> Double -> IO ExitStatus) -> IO ExitStatus
+exposing :: RunOptions -> Workers -> Scene -> (Int, Int) -> FilePath -> (Exposed -> Int -> Double -> IO ExitStatus) -> IO ExitStatus
 exposing how crew scene (first, rows) output finish
   | runKeepPartial how = do
     kept <- newIORef []
     start <- getMonotonicTime
     let bands = [(from, min bandRows (rows - from)) | from <- [0, bandRows .. rows - 1]]
     outcome <- try . timed . tracking $ \tell -> forM_ bands $ \(from, count) -> do
-      band <- exposeRows crew (tell . (from +)) scene (first + from, count)
+      band <- exposeCounted crew (tell . (from +)) scene (first + from, count)
       modifyIORef' kept (maybe id (:) band)
     done <- reverse <$> readIORef kept
-    let rowsDone = sum (map (shapeHeight . pixelArrayShape) done)
-        light = Vector.concat (map toPixelVector done ++ [Vector.replicate (3 * width * (rows - rowsDone)) 0])
-    case (pixelShape width rows 3 >>= (`fromPixelVector` light), outcome) of
+    let light = map exposedLight done
+        rowsDone = sum (map (shapeHeight . pixelArrayShape) light)
+        padded channels arrays = pixelShape width rows channels >>= (`fromPixelVector` Vector.concat (arrays ++ [Vector.replicate (channels * width * (rows - rowsDone)) 0]))
+        -- Rows that are not done got no samples.
+        counts
+          | rowsDone == rows && all (null . exposedCounts) done = Just Nothing
+          | otherwise = Just <$> padded 1 [countsRow scene band y | band <- done, y <- [0 .. shapeHeight (pixelArrayShape (exposedLight band)) - 1]]
+    case (Exposed <$> padded 3 (map toPixelVector light) <*> counts, outcome) of
       (Nothing, _) -> untraceable
-      (Just film, Right ((), seconds)) ->
-        finish film rows seconds `catch` \stop -> finish film rows seconds >> throwIO (stop :: Stopped)
-      (Just film, Left stop)
+      (Just exposed, Right ((), seconds)) ->
+        finish exposed rows seconds `catch` \stop -> finish exposed rows seconds >> throwIO (stop :: Stopped)
+      (Just exposed, Left stop)
         | rowsDone > 0 -> do
           hPutStrLn stderr ("blackhole: " ++ output ++ ": " ++ show rowsDone ++ " of " ++ show rows ++ " rows are done, the others stay black")
           end <- getMonotonicTime
-          _ <- finish film rowsDone (end - start)
+          _ <- finish exposed rowsDone (end - start)
           throwIO (stop :: Stopped)
         | otherwise -> throwIO stop
   | otherwise = do
-    (exposed, seconds) <- timed (tracking (\tell -> exposeRows crew tell scene (first, rows)))
-    maybe untraceable (\film -> finish film rows seconds) exposed
+    (exposed, seconds) <- timed (tracking (\tell -> exposeCounted crew tell scene (first, rows)))
+    maybe untraceable (\light -> finish light rows seconds) exposed
   where
     width = pictureWidth (scenePicture scene)
     tracking = withProgress (runProgress how) rows (width * sceneSamples scene)
@@ -278,13 +285,17 @@ inCrew threads action = do
 
 -- | Write the file that @--output@ names.
 store :: FilePath -> Lazy.ByteString -> IO ExitStatus
-store "-" bytes = do
+store output bytes = storeBy output (`Lazy.hPut` bytes)
+
+-- | The same by an action that writes to a handle.
+storeBy :: FilePath -> (Handle -> IO ()) -> IO ExitStatus
+storeBy "-" write = do
   hSetBinaryMode stdout True
-  outcome <- try (Lazy.hPut stdout bytes >> hFlush stdout)
+  outcome <- try (write stdout >> hFlush stdout)
   case outcome of
     Left failure -> complain CannotWrite ("--output: cannot write to standard output: " ++ ioeGetErrorString (failure :: IOException))
     Right () -> pure Done
-store output bytes = writeFileAtomically output bytes >>= stored
+storeBy output write = writeAtomically output write >>= stored
 
 stored :: Either WriteProblem () -> IO ExitStatus
 stored written = case written of
@@ -311,18 +322,14 @@ join options = case (formatOf output, joinCoding options) of
       joined <- openTiles (joinTiles options)
       case joined of
         Left problems -> BadInput <$ mapM_ (complain BadInput) problems
-        Right (scene, tiles) -> inCrew (joinThreads options) $ \crew -> case streamed crew format coding scene tiles of
-          Just write -> writeAtomically output write >>= stored
-          Nothing -> do
-            light <- readPictureRows tiles (0, pictureHeight (scenePicture scene))
-            case light of
-              Nothing -> complain BadInput "a tile has changed while it was read"
-              Just film -> finishFilm crew programName format coding scene [] film >>= maybe (complain CannotWrite (noRoom output)) (store output)
+        Right (scene, tiles) -> inCrew (joinThreads options) $ \crew ->
+          maybe (complain CannotWrite (noRoom output)) (storeBy output) $
+            finishBands crew programName format coding scene (readPictureRows tiles) (countsOf scene tiles)
   where
     output = joinOutput options
-    -- A PNG of pixels that do not depend on each other needs no more memory than
-    -- that of some rows.
-    streamed crew format coding scene tiles = finishBands crew programName format coding scene (readPictureRows tiles)
+    countsOf scene tiles row = do
+      counts <- readCountsRow tiles row
+      pure (fromMaybe (Vector.replicate (pictureWidth (scenePicture scene)) (fromIntegral (sceneSamples scene))) counts)
 
 -- | A film's frames, or what a folder of them lacks.
 animate :: AnimateOptions SceneOptions -> IO ExitStatus
@@ -341,7 +348,7 @@ animate options = case (animateStatus options, formatOf (animateOutput options))
     say line = void (complain Done line)
     coding = animateCoding options
     describe = printScene [programName ++ ", " ++ show coding]
-    develop format crew scene = finishFilm crew programName format coding scene []
+    develop format crew = finishFilm crew programName format coding
     endStatus ending = case ending of
       Complete -> Done
       Incomplete -> Unfinished

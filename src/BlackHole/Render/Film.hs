@@ -5,6 +5,11 @@ module BlackHole.Render.Film
   ( Film,
     exposeFilm,
     exposeRows,
+    Exposed (..),
+    SampleCounts,
+    countsRow,
+    exposeCounted,
+    filmRows,
     developFilm,
     developRows,
     developFilmFinely,
@@ -17,7 +22,7 @@ import BlackHole.Light.Display
 import BlackHole.Light.Dither (Dither)
 import BlackHole.Light.Radiance
 import BlackHole.Render.PixelArray
-import BlackHole.Render.PixelRows (mapRows, pixelChannels)
+import BlackHole.Render.PixelRows (mapRows, pixelChannels, pixelRow)
 import BlackHole.Render.PixelShape
 import BlackHole.Render.Workers (Workers)
 import BlackHole.Scene.Camera (Picture (..))
@@ -27,8 +32,9 @@ import BlackHole.Trace.Estimate
 import BlackHole.Trace.Pixel
 import Control.Monad (when)
 import Control.Monad.ST (ST)
-import Data.Foldable (for_)
-import Data.Vector.Storable (Vector)
+import Data.Foldable (for_, toList)
+import Data.Maybe (fromMaybe)
+import Data.Vector.Storable (Storable, Vector)
 import qualified Data.Vector.Storable as Vector
 import Data.Vector.Storable.Mutable (MVector)
 import qualified Data.Vector.Storable.Mutable as MVector
@@ -47,18 +53,85 @@ exposeFilm workers progress scene =
 -- (at least 1). The numbers are those that the whole film has there. 'Nothing'
 -- also if the picture has no such rows.
 exposeRows :: Workers -> (Int -> IO ()) -> Scene -> (Int, Int) -> IO (Maybe Film)
-exposeRows workers progress scene (first, rows)
-  | first < 0 || first > height - rows = pure Nothing
-  | otherwise = case (,,) <$> pixelShape width rows 3 <*> pixelShape width haloRows sumCount <*> tracer scene of
+exposeRows workers progress scene band = fmap exposedLight <$> exposeCounted workers progress scene band
+
+-- | How many samples each pixel got, in one channel.
+type SampleCounts = PixelArray Float
+
+-- | What was traced.
+data Exposed = Exposed
+  { exposedLight :: !Film,
+    -- | 'Nothing' if every pixel got the scene's number.
+    exposedCounts :: !(Maybe SampleCounts)
+  }
+
+-- | @countsRow scene exposed row@: the number of samples of each pixel in a row of
+-- what was exposed of a scene, counted from the first one; none in other rows.
+countsRow :: Scene -> Exposed -> Int -> Vector Float
+countsRow scene (Exposed light counts) row
+  | row < 0 || row >= shapeHeight (pixelArrayShape light) = Vector.replicate width 0
+  | otherwise = fromMaybe (Vector.replicate width (fromIntegral (sceneSamples scene))) (counts >>= (`pixelRow` row))
+  where
+    width = shapeWidth (pixelArrayShape light)
+
+-- | 'exposeRows' with the number of samples of each pixel.
+exposeCounted :: Workers -> (Int -> IO ()) -> Scene -> (Int, Int) -> IO (Maybe Exposed)
+exposeCounted workers progress scene (first, rows)
+  | rows < 1 || first < 0 || first > height - rows = pure Nothing
+  | otherwise = case (,) <$> pixelShape width rows 3 <*> tracer scene of
     Nothing -> pure Nothing
-    Just (shape, haloShape, traced)
-      | mostSamples scene > sceneSamples scene -> do
-        sums <- generateRows workers (progress . (`quot` 2)) haloShape (sumRow traced width . (haloFirst +))
-        Just <$> generateRows workers (progress . quot' . (rows +)) shape (refineRow traced width haloFirst sums . (first +))
-      | otherwise -> Just <$> generateRows workers progress shape (traceRow traced width . (first +))
+    Just (shape, traced)
+      | mostSamples scene > sceneSamples scene ->
+        (>>= together) . sequence <$> mapM (refineBand workers progress traced first) (bandsOf width rows)
+      | otherwise -> Just . (`Exposed` Nothing) <$> generateRows workers progress shape (traceRow traced width . (first +))
+      where
+        together bands =
+          Exposed
+            <$> joined shape (map exposedLight bands)
+            <*> (Just <$> (pixelShape width rows 1 >>= (`joined` concatMap (toList . exposedCounts) bands)))
   where
     Picture width height = scenePicture scene
-    quot' n = (n + 1) `quot` 2
+
+-- | The rows of some bands one below the other; 'Nothing' if that is not the shape.
+joined :: Storable e => PixelShape -> [PixelArray e] -> Maybe (PixelArray e)
+joined _ [whole] = Just whole
+joined shape bands = fromPixelVector shape (Vector.concat (map toPixelVector bands))
+
+-- | Some rows of a film or its counts, from which and how many, without copying.
+filmRows :: Storable e => PixelArray e -> (Int, Int) -> Maybe (PixelArray e)
+filmRows pixels (first, rows)
+  | first < 0 || rows < 1 || first > shapeHeight shape - rows = Nothing
+  | otherwise = do
+    part <- pixelShape (shapeWidth shape) rows (shapeChannels shape)
+    fromPixelVector part (Vector.slice (first * shapeRowLength shape) (rows * shapeRowLength shape) (toPixelVector pixels))
+  where
+    shape = pixelArrayShape pixels
+
+-- | First rows and numbers of rows of bands whose sums take up to 128 MiB, three
+-- times what their light takes.
+bandsOf :: Int -> Int -> [(Int, Int)]
+bandsOf width rows = [(from, min band (rows - from)) | from <- [0, band .. rows - 1]]
+  where
+    band = max 64 (0x8000000 `quot` (4 * sumCount * width))
+
+-- | A band of the picture by adaptive sampling: in rows counted from the first
+-- one of all that is exposed.
+refineBand :: Workers -> (Int -> IO ()) -> Tracer -> Int -> (Int, Int) -> IO (Maybe Exposed)
+refineBand workers progress traced begin (from, rows) =
+  case (,,,) <$> pixelShape width haloRows sumCount <*> pixelShape width rows 4 <*> pixelShape width rows 3 <*> pixelShape width rows 1 of
+    Nothing -> pure Nothing
+    Just (haloShape, both, lightShape, countShape) -> do
+      sums <- generateRows workers (\n -> progress (from + min rows n `quot` 2)) haloShape (sumRow traced width . (haloFirst +))
+      pixels <- toPixelVector <$> generateRows workers (\n -> progress (from + (rows + n + 1) `quot` 2)) both (refineRow traced width haloFirst sums . (first +))
+      light <- generateRows workers ignore lightShape $ \y row ->
+        for_ [0 .. 3 * width - 1] $ \i -> MVector.unsafeWrite row i (Vector.unsafeIndex pixels (4 * (y * width + i `quot` 3) + i `rem` 3))
+      counts <- generateRows workers ignore countShape $ \y row ->
+        for_ [0 .. width - 1] $ \x -> MVector.unsafeWrite row x (Vector.unsafeIndex pixels (4 * (y * width + x) + 3))
+      pure (Just (Exposed light (Just counts)))
+  where
+    Picture width height = scenePicture (tracedScene traced)
+    ignore = const (pure ())
+    first = begin + from
     -- Whether a pixel needs more samples is for its neighbours to say, too.
     haloFirst = max 0 (first - 1)
     haloRows = min height (first + rows + 1) - haloFirst
@@ -119,10 +192,14 @@ sumRow traced !width !row sums =
 sumCount :: Int
 sumCount = 9
 
--- | Finish one row, given the first sums and the number of their first row.
+-- | Finish one row, given the first sums and the number of their first row: three
+-- channels of light and the number of samples.
 refineRow :: Tracer -> Int -> Int -> PixelArray Float -> Int -> MVector s Float -> ST s ()
-refineRow traced !width !sumsFirst sums !row pixels = for_ [0 .. width - 1] $ \column ->
-  writeRadiance pixels column (estimatedRadiance (refinedEstimate traced first column row))
+refineRow traced !width !sumsFirst sums !row pixels = for_ [0 .. width - 1] $ \column -> do
+  let estimate = refinedEstimate traced first column row
+      Radiance r g b = estimatedRadiance estimate
+  for_ (zip [0 ..] [realToFrac r, realToFrac g, realToFrac b, fromIntegral (estimateCount estimate)]) $ \(k, v) ->
+    MVector.unsafeWrite pixels (4 * column + k) v
   where
     count = sceneSamples (tracedScene traced)
     first c r = case pixelChannels sums c (r - sumsFirst) of
