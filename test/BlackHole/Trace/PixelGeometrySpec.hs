@@ -14,7 +14,7 @@ import BlackHole.Trace.PixelGeometry
 import BlackHole.Trace.PlaneCrossing
 import BlackHole.Vector.XY (XY (..))
 import qualified BlackHole.Vector.XYZ as XYZ
-import Control.Monad (forM_)
+import Control.Monad (forM_, void)
 import Data.List (find)
 import Support.Approx
 import Support.IndependentOrbit
@@ -35,7 +35,7 @@ spec = do
       Just look -> forM_ (pixels faceOn) $ \(x, y) ->
         forM_ [look (63 - x) y, look x (35 - y)] $ \mirrored -> do
           let here = look x y
-          fmap (const ()) (geometryDiskHit here) `shouldBe` fmap (const ()) (geometryDiskHit mirrored)
+          void (geometryDiskHit here) `shouldBe` void (geometryDiskHit mirrored)
           maybe 0 hitRadius (geometryDiskHit here) `shouldBeWithin` (1e-6, maybe 0 hitRadius (geometryDiskHit mirrored))
   it "is deflected as the orbit integrated by brute force" $ do
     angles <- concat <$> mapM compared [faceOn, tilted, ringClose]
