@@ -3,7 +3,6 @@
 -- as its users run it.
 module Table (printTable) where
 
-import BlackHole.Scene.Disk (Disk)
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene (Scene (..))
 import Control.Concurrent (threadDelay)
@@ -41,7 +40,7 @@ data Work = Work
   }
 
 -- | @printTable program huge@ prints everything to standard output, with a
--- picture of 7680 × 4320 if it is to be huge. Two minutes on two free cores.
+-- picture of 7680 × 4320 if it is to be huge. Four minutes on two free cores.
 printTable :: FilePath -> Bool -> IO ()
 printTable program huge = do
   hSetBuffering stdout LineBuffering
@@ -55,24 +54,37 @@ printTable program huge = do
     reportWork reportLeapfrog leapfrog
     tabulated <- medianOf 3 (drawn [] reportTable)
     printf "the table against the leapfrog: %.1f times as fast\n\n" (runSeconds leapfrog / runSeconds tabulated)
-    printf "%-46s %8s %8s %6s\n" "two workers against one" "1, s" "2, s" "ratio"
+    printf "%-46s %8s %8s %6s\n" "price of a feature, default scene, 960 × 540" "without" "with" "ratio"
+    mapM_ (reportPrice drawn) prices
+    printf "\n%-46s %8s %8s %6s  %s\n" "two workers against one" "1, s" "2, s" "ratio" "target 1.85"
     mapM_ (reportScaling drawn) scalings
     printf "\n%-46s %8s %8s %6s\n" "cost per pixel, default scene, 1 sample" "s" "µs/pixel" "MB"
     mapM_ (reportSize drawn) ([320, 640, 1280, 1920, 3840] ++ [7680 | huge])
   putStrLn ""
   reportErrors
   putStrLn ""
-  reportNoise "default" (sceneDisk defaultScene)
-  reportNoise "report" (sceneDisk reportScene)
+  reportNoise "default" defaultScene
+  reportNoise "report" reportScene
   putStrLn ""
   mapM_ (reportStart program) ["--version", "--help"]
 
 works :: [Work]
 works =
   [ reportTable,
-    Work "default, 1280 × 720, 1 sample" ["--preset", "default"] 1280 1 "1 Mray/s",
+    Work "default, 1280 × 720, 1 sample" [] 1280 1 "1 Mray/s",
     lensing,
-    Work "default, 1920 × 1080, 4 samples" ["--preset", "default"] 1920 4 "9 s, 200 MB"
+    Work "default, 1920 × 1080, 4 samples" ["--noise", "0"] 1920 4 "9 s, 200 MB"
+  ]
+
+-- | What a picture costs more for a feature: the same picture without and with it.
+prices :: [(String, [String], [String])]
+prices =
+  [ ("refined until it is certain to 2 %", ["--noise", "0"], ["--noise", "0.02"]),
+    ("bloom", [], ["--bloom", "0.1"]),
+    ("16 bits", [], ["--bits", "16"]),
+    ("point stars and the Milky Way", [], ["--sky", "stars"]),
+    ("Gaussian filter instead of box", ["--filter", "box"], ["--filter", "gaussian"]),
+    ("exact orbits without the table", ["--integrator", "table"], ["--integrator", "exact"])
   ]
 
 reportTable, reportLeapfrog, lensing :: Work
@@ -83,10 +95,10 @@ lensing = Work "lensing alone, 1920 × 1080, grid sky" ["--no-disk", "--sky", "g
 -- | Large enough that starting and the camera's table do not count.
 scalings :: [Work]
 scalings =
-  [ reportTable,
-    reportLeapfrog {workName = "report, 320 × 180, leapfrog", workWidth = 320},
-    Work "default, 960 × 540, 1 sample" [] 960 1 "",
-    lensing
+  [ reportTable {workName = "report, 2560 × 1440, exact orbits (table)", workWidth = 2560},
+    reportLeapfrog {workName = "report, 480 × 270, leapfrog", workWidth = 480},
+    Work "default, 1920 × 1080, 1 sample" [] 1920 1 "",
+    lensing {workName = "lensing alone, 3840 × 2160, grid sky", workWidth = 3840}
   ]
 
 -- | Rays of a picture, in millions.
@@ -106,6 +118,14 @@ reportScaling drawn work = do
   two <- medianOf 3 (drawn ["--threads", "2"] work)
   printf "%-46s %8.2f %8.2f %6.2f\n" (workName work) (runSeconds one) (runSeconds two) (runSeconds one / runSeconds two)
 
+reportPrice :: ([String] -> Work -> IO Run) -> (String, [String], [String]) -> IO ()
+reportPrice drawn (name, before, after) = do
+  without <- medianOf 3 (drawn before work)
+  with <- medianOf 3 (drawn after work)
+  printf "%-46s %8.2f %8.2f %6.2f\n" name (runSeconds without) (runSeconds with) (runSeconds with / runSeconds without)
+  where
+    work = Work name [] 960 4 ""
+
 reportSize :: ([String] -> Work -> IO Run) -> Int -> IO ()
 reportSize drawn width = do
   let work = Work (show width ++ " × " ++ show (width * 9 `quot` 16)) [] width 1 ""
@@ -124,10 +144,10 @@ reportErrors = do
   printf "%-46s %8.1e %8.1e %6d\n" "all" sky crossing fates
 
 -- | Noise from tables against hashing every lattice point.
-reportNoise :: String -> Maybe Disk -> IO ()
-reportNoise name = mapM_ (mapM_ one . fields)
+reportNoise :: String -> Scene -> IO ()
+reportNoise name scene = mapM_ (mapM_ one . fields) (sceneDisk scene)
   where
-    places = placesOf 20000 defaultScene
+    places = placesOf 20000 scene
     one field = do
       remembered <- secondsOf (fieldRemembered field)
       hashed <- secondsOf (fieldHashed field)
@@ -152,7 +172,7 @@ draw program output more work = do
   pure (Run seconds memory)
   where
     arguments =
-      ["render"] ++ workOptions work
+      ["render", "--quiet"] ++ workOptions work
         ++ ["--width", show (workWidth work), "--samples", show (workSamples work), "-o", output]
         ++ more
 

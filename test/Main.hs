@@ -25,6 +25,7 @@ import qualified BlackHole.Cli.PreviewSpec
 import qualified BlackHole.Cli.ProgressSpec
 import qualified BlackHole.Cli.RaysSpec
 import qualified BlackHole.Cli.RunSpec
+import qualified BlackHole.Cli.SchemaSpec
 import qualified BlackHole.Cli.SelfTestSpec
 import qualified BlackHole.Cli.SoakSpec
 import qualified BlackHole.Cli.StatsSpec
@@ -36,6 +37,7 @@ import qualified BlackHole.Image.AtomicFileSpec
 import qualified BlackHole.Image.DeflateSpec
 import qualified BlackHole.Image.FileSpec
 import qualified BlackHole.Image.GoldenSpec
+import qualified BlackHole.Image.MomentsSpec
 import qualified BlackHole.Image.PanoramaSpec
 import qualified BlackHole.Image.PngSpec
 import qualified BlackHole.Image.TileFileSpec
@@ -53,6 +55,7 @@ import qualified BlackHole.Noise.ProfileSpec
 import qualified BlackHole.Noise.RememberedSpec
 import qualified BlackHole.Noise.SheetsSpec
 import qualified BlackHole.Noise.SipHashSpec
+import qualified BlackHole.Noise.ThresholdSpec
 import qualified BlackHole.Numeric.ExponentialSpec
 import qualified BlackHole.Numeric.FloorSpec
 import qualified BlackHole.Physics.CourseSpec
@@ -130,6 +133,7 @@ main = hspec $ do
   describe "BlackHole.Cli.Progress" BlackHole.Cli.ProgressSpec.spec
   describe "BlackHole.Cli.Rays" BlackHole.Cli.RaysSpec.spec
   describe "BlackHole.Cli.Run" BlackHole.Cli.RunSpec.spec
+  describe "BlackHole.Cli.Schema" BlackHole.Cli.SchemaSpec.spec
   describe "BlackHole.Cli.SelfTest" BlackHole.Cli.SelfTestSpec.spec
   describe "BlackHole.Cli.Soak" BlackHole.Cli.SoakSpec.spec
   describe "BlackHole.Cli.Stats" BlackHole.Cli.StatsSpec.spec
@@ -141,6 +145,7 @@ main = hspec $ do
   describe "BlackHole.Image.Deflate" BlackHole.Image.DeflateSpec.spec
   describe "BlackHole.Image.File" BlackHole.Image.FileSpec.spec
   describe "BlackHole.Image.Golden" BlackHole.Image.GoldenSpec.spec
+  describe "BlackHole.Image.Moments" BlackHole.Image.MomentsSpec.spec
   describe "BlackHole.Image.Panorama" BlackHole.Image.PanoramaSpec.spec
   describe "BlackHole.Image.Png" BlackHole.Image.PngSpec.spec
   describe "BlackHole.Image.TileFile" BlackHole.Image.TileFileSpec.spec
@@ -158,6 +163,7 @@ main = hspec $ do
   describe "BlackHole.Noise.Remembered" BlackHole.Noise.RememberedSpec.spec
   describe "BlackHole.Noise.Sheets" BlackHole.Noise.SheetsSpec.spec
   describe "BlackHole.Noise.SipHash" BlackHole.Noise.SipHashSpec.spec
+  describe "BlackHole.Noise.Threshold" BlackHole.Noise.ThresholdSpec.spec
   describe "BlackHole.Numeric.Exponential" BlackHole.Numeric.ExponentialSpec.spec
   describe "BlackHole.Numeric.Floor" BlackHole.Numeric.FloorSpec.spec
   describe "BlackHole.Physics.Course" BlackHole.Physics.CourseSpec.spec

@@ -1,6 +1,7 @@
 -- | The light of a frame: that of one moment, or the mean of several.
 module BlackHole.Animation.Exposure
   ( exposeMoments,
+    exposeMomentRows,
   )
 where
 
@@ -21,16 +22,21 @@ import qualified Data.Vector.Storable as Vector
 -- films for any number of moments. 'Nothing' if a scene is not valid or their
 -- pictures differ in size.
 exposeMoments :: Workers -> (Double -> IO ()) -> NonEmpty Scene -> IO (Maybe Exposed)
-exposeMoments crew progress (first :| rest) = do
+exposeMoments crew progress scenes@(first :| _) =
+  exposeMomentRows crew progress scenes (0, pictureHeight (scenePicture first))
+
+-- | The same for a band of the picture: its first row and its number of rows.
+exposeMomentRows :: Workers -> (Double -> IO ()) -> NonEmpty Scene -> (Int, Int) -> IO (Maybe Exposed)
+exposeMomentRows crew progress (first :| rest) (firstRow, rows) = do
   start <- expose 0 first
   total <- foldlM next start (zip [1 ..] rest)
   pure (total >>= divided)
   where
     count = 1 + length rest
     expose :: Int -> Scene -> IO (Maybe Exposed)
-    expose k scene =
-      let rows = max 1 (pictureHeight (scenePicture scene))
-       in (>>= counted scene) <$> exposeCounted crew (\done -> progress ((fromIntegral k + fromIntegral done / fromIntegral rows) / fromIntegral count)) scene (0, pictureHeight (scenePicture scene))
+    expose k scene
+      | scenePicture scene /= scenePicture first = pure Nothing
+      | otherwise = (>>= counted scene) <$> exposeCounted crew (\done -> progress ((fromIntegral k + fromIntegral done / fromIntegral (max 1 rows)) / fromIntegral count)) scene (firstRow, rows)
     next before (k, scene) = do
       seen <- expose k scene
       pure $! join (together <$> before <*> seen)

@@ -47,9 +47,9 @@ data Shooting = Shooting
     shootingVideo :: !(Maybe (FilePath, VideoKind, FilePath)),
     -- | A text that is equal for equal scenes, and says which program this is.
     shootingText :: !(Scene -> String),
-    -- | The file of a frame, from its (first) scene and its light; 'Nothing' if
+    -- | The file of a frame, from its scenes and their mean light; 'Nothing' if
     -- its format has no room for the picture.
-    shootingDevelop :: !(Scene -> Light.Exposed -> IO (Maybe Lazy.ByteString))
+    shootingDevelop :: !(NonEmpty Scene -> Light.Exposed -> IO (Maybe Lazy.ByteString))
   }
 
 -- | What the listener hears of.
@@ -134,4 +134,4 @@ shoot shooting listen = do
               (count, Just (x, y)) ->
                 listen (Remark ("frame " ++ show (jobFrame job) ++ ": " ++ show count ++ " pixels have no finite radiance, the first at " ++ show x ++ "," ++ show y))
               _ -> pure ()
-            maybe (Left "its format has no room for so large a picture") Right <$> shootingDevelop shooting (NonEmpty.head scenes) light
+            maybe (Left "its format has no room for so large a picture") Right <$> shootingDevelop shooting scenes light

@@ -26,17 +26,16 @@ import BlackHole.Render.Shard
 import BlackHole.Render.Workers
 import BlackHole.Scene.Scene (Scene)
 import BlackHole.Scene.Validate
-import Control.Concurrent (myThreadId, throwTo)
-import Control.Exception (AsyncException (UserInterrupt), IOException, bracket, try)
+import Control.Exception (IOException, try)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (isDigit, toLower)
 import Data.List (intercalate)
+import Data.List.NonEmpty (NonEmpty)
 import Data.Maybe (fromMaybe, listToMaybe)
 import Options.Applicative
 import System.Directory (doesDirectoryExist)
 import System.Environment (getEnvironment)
 import System.FilePath (takeExtension)
-import System.Posix.Signals (Handler (Catch), installHandler, sigTERM)
 import Text.Read (readMaybe)
 
 -- | The options of @blackhole animate@, with those of the scene.
@@ -142,7 +141,7 @@ runFilm ::
   AnimateOptions scene ->
   (String -> IO ()) ->
   (Scene -> String) ->
-  (Workers -> Scene -> Light.Exposed -> IO (Maybe Lazy.ByteString)) ->
+  (Workers -> NonEmpty Scene -> Light.Exposed -> IO (Maybe Lazy.ByteString)) ->
   Film ->
   IO Ending
 runFilm options say text develop film = do
@@ -154,7 +153,7 @@ runFilm options say text develop film = do
       crew <- maybe defaultWorkers pure (workers =<< animateThreads options)
       teller <- newTeller say
       shot <-
-        try . interruptible . withWorkers crew $
+        try . withWorkers crew $
           shoot (Shooting film frames name (animatePatience options) crew video text (develop crew)) teller
       clearLine
       case shot of
@@ -221,16 +220,6 @@ usageProblems options film =
        ]
   where
     patience = animatePatience options
-
--- | Let a request to end be an interrupt, so that claims are given back and
--- parts removed: batch systems send one before they kill.
-interruptible :: IO a -> IO a
-interruptible work = do
-  thread <- myThreadId
-  bracket
-    (installHandler sigTERM (Catch (throwTo thread UserInterrupt)) Nothing)
-    (\former -> installHandler sigTERM former Nothing)
-    (const work)
 
 -- | Print what a folder's films lack; whether there are any and all are
 -- complete. The first argument says a line of complaint.

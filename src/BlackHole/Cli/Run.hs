@@ -8,6 +8,7 @@ module BlackHole.Cli.Run
   )
 where
 
+import BlackHole.Animation.Exposure
 import BlackHole.Cli.Animate
 import BlackHole.Cli.Explain (explanationLines, pixelProblems)
 import BlackHole.Cli.FilmScene (loadFilm)
@@ -29,6 +30,7 @@ import BlackHole.Image.Coding
 import BlackHole.Image.File (fileLabel)
 import BlackHole.Image.Finish
 import BlackHole.Image.Label
+import BlackHole.Image.Moments
 import BlackHole.Image.TileFile
 import BlackHole.Render.Bloom
 import BlackHole.Render.Film
@@ -49,6 +51,7 @@ import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.IORef
 import Data.List (intercalate)
+import Data.List.NonEmpty (NonEmpty (..))
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as Vector
 import Data.Version (showVersion)
@@ -156,17 +159,20 @@ render options
     resolved <- renderedScene options
     case resolved of
       Left problems -> BadInput <$ mapM_ (complain BadInput) problems
-      Right (scene, coding)
+      Right (scenes'@(scene :| others), coding)
         | Just pixel <- renderPixel options -> case pixelProblems (scenePicture scene) pixel of
           [] -> explain scene pixel
           problems -> complainAll BadInput problems
         | renderPreview options -> withCrew (`preview` scene)
+        | Just _ <- renderTile options,
+          not (null others) ->
+          complain BadInput "--tile: a frame of a film with an open shutter is rendered as a whole"
         | Just part <- renderTile options -> case tileProblems part (scenePicture scene) of
           [] -> ready scene (snd (shardRows part (pictureHeight (scenePicture scene)))) (\crew -> tileTo crew part scene)
           problems -> complainAll UsageError problems
         | otherwise -> case outputFormat output of
           Just format -> case codingProblems format coding of
-            [] -> ready scene (pictureHeight (scenePicture scene)) (\crew -> renderTo crew format coding scene)
+            [] -> ready scene (pictureHeight (scenePicture scene)) (\crew -> renderTo crew format coding scenes')
             problems -> complainAll UsageError problems
           Nothing -> complainAll UsageError [unknownExtension]
   where
@@ -193,14 +199,14 @@ render options
              | Just from <- [renderFrom options],
                Just _ <- [sceneFile (renderScene options)]
            ]
-    renderTo crew format coding scene = do
+    renderTo crew format coding scenes'@(scene :| _) = do
       let rows = pictureHeight (scenePicture scene)
-      exposing how crew scene (0, rows) output $ \exposed done seconds ->
+      exposing how crew scenes' (0, rows) output $ \exposed done seconds ->
         finishing crew scene (0, done) (exposedLight exposed) seconds $
-          maybe (complain CannotWrite (noRoom output)) (storeBy output) (finishBands crew programName format coding scene (pure . filmRows (exposedLight exposed)) (pure . countsRow scene exposed))
+          maybe (complain CannotWrite (noRoom output)) (storeBy output) (finishBands crew programName format coding scenes' (pure . filmRows (exposedLight exposed)) (pure . countsRow scene exposed))
     tileTo crew part scene = do
       let band = shardRows part (pictureHeight (scenePicture scene))
-      exposing how {runKeepPartial = False} crew scene band output $ \exposed _ seconds ->
+      exposing how {runKeepPartial = False} crew (scene :| []) band output $ \exposed _ seconds ->
         finishing crew scene band (exposedLight exposed) seconds $
           maybe (complain CannotWrite "the tile can't be coded") (store output) (encodeTile (tileHeader programName part scene) (exposedCounts exposed) (exposedLight exposed))
     finishing crew scene band film traced write = do
@@ -220,14 +226,14 @@ render options
 -- | Trace rows of a scene, tell how far that is, and go on with the film, the
 -- number of rows done and the seconds it took. If some is to be kept when a signal comes, bands are traced
 -- one after the other, and those that are done make a film that is black below.
-exposing :: RunOptions -> Workers -> Scene -> (Int, Int) -> FilePath -> (Exposed -> Int -> Double -> IO ExitStatus) -> IO ExitStatus
-exposing how crew scene (first, rows) output finish
+exposing :: RunOptions -> Workers -> NonEmpty Scene -> (Int, Int) -> FilePath -> (Exposed -> Int -> Double -> IO ExitStatus) -> IO ExitStatus
+exposing how crew scenes'@(scene :| others) (first, rows) output finish
   | runKeepPartial how = do
     kept <- newIORef []
     start <- getMonotonicTime
     let bands = [(from, min bandRows (rows - from)) | from <- [0, bandRows .. rows - 1]]
     outcome <- try . timed . tracking $ \tell -> forM_ bands $ \(from, count) -> do
-      band <- exposeCounted crew (tell . (from +)) scene (first + from, count)
+      band <- exposeMomentRows crew (tell . (from +) . rowsOf count) scenes' (first + from, count)
       modifyIORef' kept (maybe id (:) band)
     done <- reverse <$> readIORef kept
     let light = map exposedLight done
@@ -249,11 +255,12 @@ exposing how crew scene (first, rows) output finish
           throwIO (stop :: Stopped)
         | otherwise -> throwIO stop
   | otherwise = do
-    (exposed, seconds) <- timed (tracking (\tell -> exposeCounted crew tell scene (first, rows)))
+    (exposed, seconds) <- timed (tracking (\tell -> exposeMomentRows crew (tell . rowsOf rows) scenes' (first, rows)))
     maybe untraceable (\light -> finish light rows seconds) exposed
   where
     width = pictureWidth (scenePicture scene)
-    tracking = withProgress (runProgress how) rows (width * sceneSamples scene)
+    tracking = withProgress (runProgress how) rows (width * sceneSamples scene * (1 + length others))
+    rowsOf count part = floor (part * fromIntegral count + 1e-6 :: Double)
     -- Enough to keep all workers busy, and at most some thirty bands.
     bandRows = max (4 * workersCount crew) ((rows + 31) `quot` 32)
 
@@ -324,7 +331,7 @@ join options = case (formatOf output, joinCoding options) of
         Left problems -> BadInput <$ mapM_ (complain BadInput) problems
         Right (scene, tiles) -> inCrew (joinThreads options) $ \crew ->
           maybe (complain CannotWrite (noRoom output)) (storeBy output) $
-            finishBands crew programName format coding scene (readPictureRows tiles) (countsOf scene tiles)
+            finishBands crew programName format coding (scene :| []) (readPictureRows tiles) (countsOf scene tiles)
   where
     output = joinOutput options
     countsOf scene tiles row = do
@@ -356,11 +363,11 @@ animate options = case (animateStatus options, formatOf (animateOutput options))
       WrongFilm -> BadInput
       CannotStart -> CannotWrite
 
--- | The scene that is asked for, and how its file is to be coded: as the options
+-- | The scene that is asked for, or several whose mean light it is, and how its file is to be coded: as the options
 -- say, or else as the picture was that the scene is taken from.
-renderedScene :: RenderOptions -> IO (Either [String] (Scene, Coding))
+renderedScene :: RenderOptions -> IO (Either [String] (NonEmpty Scene, Coding))
 renderedScene options = case renderFrom options of
-  Nothing -> fmap (coded asked) <$> loadScene (renderScene options)
+  Nothing -> fmap (coded asked . (:| [])) <$> loadScene (renderScene options)
   Just path -> do
     -- The label comes before the pixels.
     outcome <- try (withBinaryFile path ReadMode (`Bytes.hGet` 0x400000))
@@ -376,12 +383,12 @@ renderedScene options = case renderFrom options of
     asked = renderCoding options
     coded coding scene = (scene, coding)
     fromLabel path label = do
-      scene <- resolveScene (renderScene options) {sceneFile = Just path} (Just (labelScene label))
+      scenes' <- traverse (resolveScene (renderScene options) {sceneFile = Just path} . Just) (splitMoments (labelScene label))
       -- Another format has other bits.
       let before
             | formatOf path == formatOf (renderOutput options) = labelCoding label
             | otherwise = defaultCoding
-      pure (coded (Coding (codingBits asked <|> codingBits before) (codingQuality asked <|> codingQuality before)) scene)
+      pure (coded (Coding (codingBits asked <|> codingBits before) (codingQuality asked <|> codingQuality before)) scenes')
 
 -- | The picture as text on standard output.
 preview :: Workers -> Scene -> IO ExitStatus

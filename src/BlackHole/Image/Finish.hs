@@ -12,6 +12,7 @@ import BlackHole.Image.Exr
 import BlackHole.Image.File
 import BlackHole.Image.Hdr
 import BlackHole.Image.Label
+import BlackHole.Image.Moments
 import BlackHole.Image.Png
 import BlackHole.Image.Tiff
 import BlackHole.Render.Bloom
@@ -22,21 +23,23 @@ import BlackHole.Render.Workers (Workers, workersCount)
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.File.SceneFile (printScene)
 import BlackHole.Scene.Scene
-import Control.Monad (unless)
+import Control.Monad (unless, (>=>))
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Lazy as Lazy
+import Data.List.NonEmpty (NonEmpty (..))
 import Data.Maybe (fromMaybe)
 import Data.Vector.Storable (Vector)
 import System.IO (Handle, hIsSeekable)
 
--- | @finishFilm workers software format coding scene exposed@: bloom, and then
--- what 'encodeFile' does, with the program's name and version and the scene as the
--- label, and with the scene's layers. The bytes are the same for any number of workers.
-finishFilm :: Workers -> String -> Format -> Coding -> Scene -> Exposed -> IO (Maybe Lazy.ByteString)
-finishFilm crew software format coding scene exposed = do
+-- | @finishFilm workers software format coding scenes exposed@: bloom, and then
+-- what 'encodeFile' does, with the program's name and version and the scenes whose
+-- mean light it is as the label, and with the first one's layers. The bytes are the
+-- same for any number of workers.
+finishFilm :: Workers -> String -> Format -> Coding -> NonEmpty Scene -> Exposed -> IO (Maybe Lazy.ByteString)
+finishFilm crew software format coding scenes@(scene :| _) exposed = do
   bloomed <- bloomFilm crew (sceneBloom scene) (exposedLight exposed)
-  encodeFile crew format (pictureLabel software coding scene) (developmentOf scene) (layersFor format scene (pure . countsRow scene exposed)) bloomed
+  encodeFile crew format (pictureLabel software coding scenes) (developmentOf scene) (layersFor format scene (pure . countsRow scene exposed)) bloomed
 
 developmentOf :: Scene -> Development
 developmentOf scene = Development (sceneExposure scene) (sceneToneMap scene) (sceneDither scene)
@@ -52,8 +55,8 @@ layersFor format scene counts
 -- same bytes. It throws a user error when a band is missing. With bloom, a quarter
 -- of the picture's light stays in memory; JPEG takes all of it. 'Nothing' where the
 -- format has no room for such a picture.
-finishBands :: Workers -> String -> Format -> Coding -> Scene -> FilmBands -> (Int -> IO (Vector Float)) -> Maybe (Handle -> IO ())
-finishBands crew software format coding scene sharpRows countsOf = do
+finishBands :: Workers -> String -> Format -> Coding -> NonEmpty Scene -> FilmBands -> (Int -> IO (Vector Float)) -> Maybe (Handle -> IO ())
+finishBands crew software format coding scenes@(scene :| _) sharpRows countsOf = do
   shape <- pixelShape width height 3
   write <- written shape
   Just $ \handle -> do
@@ -63,7 +66,7 @@ finishBands crew software format coding scene sharpRows countsOf = do
   where
     Picture width height = scenePicture scene
     bits = codingBitsOf format coding
-    label = pictureLabel software coding scene
+    label = pictureLabel software coding scenes
     layers = layersFor format scene countsOf
     written :: PixelShape -> Maybe (Handle -> FilmBands -> IO Bool)
     written shape = case format of
@@ -77,7 +80,7 @@ finishBands crew software format coding scene sharpRows countsOf = do
             Builder.hPutBuilder handle (tiffRows numbers)
       Hdr -> Just $ \handle rowsOf -> do
         Bytes.hPut handle (hdrHeader label (width, height))
-        banded rowsOf $ \film -> hdrRows crew film >>= mapM_ (Bytes.hPut handle)
+        banded rowsOf (hdrRows crew >=> mapM_ (Bytes.hPut handle))
       Exr -> Just $ \handle rowsOf -> do
         let precision = if bits == 32 then Single else Half
         canSeek <- hIsSeekable handle
@@ -107,7 +110,7 @@ finishBands crew software format coding scene sharpRows countsOf = do
       | otherwise = Codes8 <$> developRows first crew (sceneExposure scene) (sceneToneMap scene) (sceneDither scene) film
     finely = developFilmFinely crew (sceneExposure scene) (sceneToneMap scene)
 
--- | What a picture of a scene says of itself.
-pictureLabel :: String -> Coding -> Scene -> Label
-pictureLabel software coding scene =
-  Label software coding (strict (Builder.stringUtf8 (printScene [] scene)))
+-- | What a picture of some scenes says of itself.
+pictureLabel :: String -> Coding -> NonEmpty Scene -> Label
+pictureLabel software coding scenes =
+  Label software coding (joinMoments (fmap (strict . Builder.stringUtf8 . printScene []) scenes))

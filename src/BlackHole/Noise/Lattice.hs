@@ -47,6 +47,7 @@ module BlackHole.Noise.Lattice
     onGrid3,
     Cell3 (..),
     cellAround3,
+    cellOfEdge3,
     Along (..),
     alongCells,
     lastIndex,
@@ -230,21 +231,28 @@ data Cell3
 -- the cell below it.
 cellAround2 :: Level -> GridPlace2 -> Cell2
 cellAround2 l (GridPlace2 x y) =
-  case along l x of
-    Along i u -> case along l y of
+  case along l cells x of
+    Along i u -> case along l cells y of
       Along j v -> Cell2 (latticePoint2 l i j) u v
+  where
+    cells = cellsPerUnit l
 {-# INLINE cellAround2 #-}
 
 -- | The cell of a level around a place. The fractions are exact to rounding
 -- at every level: a place just below a cell border may get the fraction 1 of
 -- the cell below it.
 cellAround3 :: Level -> GridPlace3 -> Cell3
-cellAround3 l (GridPlace3 x y z) =
-  case along l x of
-    Along i u -> case along l y of
-      Along j v -> case along l z of
-        Along k w -> Cell3 (latticePoint3 l i j k) u v w
+cellAround3 l = cellOfEdge3 l (cellsPerUnit l)
 {-# INLINE cellAround3 #-}
+
+-- | The same for who has the level's 'cellsPerUnit' at hand.
+cellOfEdge3 :: Level -> Double -> GridPlace3 -> Cell3
+cellOfEdge3 l cells (GridPlace3 x y z) =
+  case along l cells x of
+    Along i u -> case along l cells y of
+      Along j v -> case along l cells z of
+        Along k w -> Cell3 (latticePoint3 l i j k) u v w
+{-# INLINE cellOfEdge3 #-}
 
 -- | A cell index along one axis, not yet taken around the torus, and the
 -- fraction of the cell's edge beyond it.
@@ -258,10 +266,10 @@ data Along = Along {-# UNPACK #-} !Word64 {-# UNPACK #-} !Double
 -- between the grid's edge and the origin of space is added to the integer,
 -- not to the 'Double', for the same reason. Only at level 0, where it is half
 -- a cell, has it to be added before.
-along :: Level -> Double -> Along
-along l x = Along (middleIndex l + i) rest
+along :: Level -> Double -> Double -> Along
+along l cells x = Along (middleIndex l + i) rest
   where
-    Along i rest = alongCells (x * cellsPerUnit l + (if levelNumber l == 0 then 0.5 else 0))
+    Along i rest = alongCells (x * cells + (if levelNumber l == 0 then 0.5 else 0))
 {-# INLINE along #-}
 
 -- | The cell and the fraction of a coordinate that counts cells from the

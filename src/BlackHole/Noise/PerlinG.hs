@@ -28,7 +28,6 @@ module BlackHole.Noise.PerlinG
     noise3,
     perlin2,
     perlin3,
-    perlin3Above,
 
     -- * With the caller's hashes
     noise2With,
@@ -51,6 +50,9 @@ module BlackHole.Noise.PerlinG
     interpolateGradients3,
     gradientNumber2,
     gradientNumber3,
+    numberedGradient3,
+    fade,
+    noiseScale3,
   )
 where
 
@@ -77,7 +79,7 @@ import BlackHole.Noise.Lattice
     pointY3,
     pointZ3,
   )
-import BlackHole.Noise.Profile (Profile, layers, profileBound, sumLayers)
+import BlackHole.Noise.Profile (Profile, sumLayers)
 import BlackHole.Noise.SipHash (SipKey (..), sipHash2, sipHash3)
 import BlackHole.Vector.XY (XY (..))
 import qualified BlackHole.Vector.XY as XY
@@ -124,20 +126,6 @@ perlin3 :: Seed -> Profile -> XYZ -> Double
 perlin3 seed p v = case onGrid3 v of
   Nothing -> 0
   Just place -> runIdentity (sumLayers (\l -> Identity (plainNoise3 seed l place)) p)
-
--- | @perlin3Above seed profile least place@: 'perlin3' where it is at least
--- @least@, 'Nothing' elsewhere. Levels, coarse to fine, are looked at only as
--- long as the rest could still make up for what is missing.
-perlin3Above :: Seed -> Profile -> Double -> XYZ -> Maybe Double
-perlin3Above seed p least v = case onGrid3 v of
-  Nothing -> if 0 >= least then Just 0 else Nothing
-  Just place ->
-    let go !total _ [] = if total >= least then Just total else Nothing
-        go !total rest ((l, amplitude) : finer)
-          | total + rest < least = Nothing
-          | otherwise = go (total + amplitude * plainNoise3 seed l place) (rest - abs amplitude) finer
-     in -- The margin is for the rounding of the sums.
-        go 0 (profileBound p + 1e-9) (layers p)
 
 -- | 'noise2' with the caller's hash of lattice points, in any monad: the same
 -- bits wherever the hashes agree with 'latticeHash2'.
@@ -317,8 +305,7 @@ interpolate3 (Cell3 _ x y z) (Corners3 h000 h100 h010 h110 h001 h101 h011 h111) 
 -- by the corner's offsets along x, y and z, each 0 or 1.
 interpolateGradients3 :: Double -> Double -> Double -> (Int -> Int -> Int -> Int) -> Double
 interpolateGradients3 x y z gradientAt =
-  -- The largest value before scaling is 0.792021, found as in the plane.
-  1.2625
+  noiseScale3
     * mix
       (fade z)
       ( mix
@@ -337,6 +324,11 @@ interpolateGradients3 x y z gradientAt =
     ramp i j k a b c = XYZ.dot (numberedGradient3 (gradientAt i j k)) (XYZ a b c)
     {-# INLINE ramp #-}
 {-# INLINE interpolateGradients3 #-}
+
+-- | The factor that brings noise in space within −1 … 1: the largest value before
+-- is 0.792021, found as in the plane.
+noiseScale3 :: Double
+noiseScale3 = 1.2625
 
 -- | The weight of the far end of an edge: rises from 0 at 0 to 1 at 1, and its
 -- first two derivatives vanish at both (Perlin 2002).

@@ -19,6 +19,7 @@ import BlackHole.Noise.Lattice
 import BlackHole.Noise.PerlinG
 import BlackHole.Noise.Profile (Profile, layers)
 import BlackHole.Numeric.Floor
+import BlackHole.Numeric.Parallel
 import BlackHole.Vector.XYZ (XYZ (..))
 import Control.Monad (guard)
 import Data.Bits ((.&.))
@@ -46,7 +47,7 @@ remember budget seed profile low high =
     { rememberedSeed = seed,
       rememberedReals = primArrayFromList (concat [[a, cellsPerUnit l] | (l, a) <- layers profile]),
       rememberedBoxes = primArrayFromList (concatMap boxNumbers boxes),
-      rememberedGradients = foldMap gradientsOf boxes
+      rememberedGradients = mconcat (inParallel (concatMap gradientsOf boxes))
     }
   where
     boxes = fitting 0 [(l, boxAt l low high) | (l, _) <- layers profile]
@@ -56,12 +57,14 @@ remember budget seed profile low high =
         | used + boxPoints box <= fromIntegral (max 0 budget) ->
           box {boxOffset = used} : fitting (used + boxPoints box) rest
       _ -> [Box l' 0 0 0 0 0 0 0 | l' <- l : map fst rest]
-    gradientsOf (Box _ _ _ _ 0 _ _ _) = mempty
-    gradientsOf box@(Box l x y z nx ny _ _) =
-      generatePrimArray (fromIntegral (boxPoints box)) $ \i ->
-        let (rest, dx) = fromIntegral i `quotRem` (nx + 1)
+    gradientsOf (Box _ _ _ _ 0 _ _ _) = []
+    gradientsOf box = map (piece box) [0, pieceSize .. fromIntegral (boxPoints box) - 1]
+    piece box@(Box l x y z nx ny _ _) from =
+      generatePrimArray (min pieceSize (fromIntegral (boxPoints box) - from)) $ \i ->
+        let (rest, dx) = fromIntegral (from + i) `quotRem` (nx + 1)
             (dz, dy) = rest `quotRem` (ny + 1)
          in fromIntegral (gradientNumber3 (latticeHash3 seed (latticePoint3 l (x + dx) (y + dy) (z + dz))))
+    pieceSize = 50000
 
 -- | How many lattice points the table holds.
 rememberedPoints :: Remembered -> Int

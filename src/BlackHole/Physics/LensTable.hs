@@ -30,10 +30,11 @@ module BlackHole.Physics.LensTable
   )
 where
 
+import BlackHole.Numeric.Parallel (inParallel)
 import BlackHole.Physics.Orbit
 import BlackHole.Physics.Radii (criticalImpactParameter)
 import BlackHole.Physics.Sweep
-import Control.Monad (when, zipWithM_)
+import Control.Monad (when)
 import Control.Monad.ST (ST)
 import Data.Bits (unsafeShiftR, (.&.))
 import Data.Foldable (for_)
@@ -64,9 +65,7 @@ lensTable r =
   LensTable
     { tableFamily = family,
       tableBlocks = primArrayFromList (concat (zipWith (\o b -> [o, blockCells b]) offsets blocks)),
-      tableNumbers = runPrimArray $ do
-        numbers <- newPrimArray (sum (map blockSize blocks))
-        numbers <$ zipWithM_ (fillBlock numbers family) offsets blocks
+      tableNumbers = mconcat (inParallel (map (blockNumbers family) blocks))
     }
   where
     family = Family r (if r > 1 then sqrt (1 - 1 / r) else sqrt (1 / r)) (criticalParameter r)
@@ -194,17 +193,20 @@ memberAt family w = Member (signum t) (orbit (familyRadius family) radial (abs t
     -- A radial photon sweeps no angle to speak of; its neighbour does.
     t = if abs tangential < 1e-12 then 1e-12 else tangential
 
-fillBlock :: MutablePrimArray s Double -> Family -> Int -> Block -> ST s ()
-fillBlock numbers family offset b =
-  when (cells > 0) $ for_ [0 .. segmentCount] row
+-- | The rows of a block, one after the other.
+blockNumbers :: Family -> Block -> PrimArray Double
+blockNumbers family b = runPrimArray $ do
+  numbers <- newPrimArray (blockSize b)
+  numbers <$ when (cells > 0) (for_ [0 .. segmentCount] (row numbers))
   where
     !cells = blockCells b
-    row i = do
+    row :: MutablePrimArray s Double -> Int -> ST s ()
+    row numbers i = do
       let at t = memberAt family (blockFirst b + (fromIntegral i + t) * blockStep b)
           before@(Member sign0 path0) = at (negate apart)
           here@(Member sign1 path1) = at 0
           after@(Member sign2 path2) = at apart
-          first = offset + i * rowSize cells
+          first = i * rowSize cells
           put k v0 v1 v2 = do
             writePrimArray numbers (first + 2 * k) v1
             writePrimArray numbers (first + 2 * k + 1) ((v2 - v0) / (2 * apart))

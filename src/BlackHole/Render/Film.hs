@@ -7,8 +7,8 @@ module BlackHole.Render.Film
     exposeRows,
     Exposed (..),
     SampleCounts,
-    countsRow,
     exposeCounted,
+    countsRow,
     filmRows,
     developFilm,
     developRows,
@@ -24,6 +24,7 @@ import BlackHole.Light.Radiance
 import BlackHole.Render.PixelArray
 import BlackHole.Render.PixelRows (mapRows, pixelChannels, pixelRow)
 import BlackHole.Render.PixelShape
+import BlackHole.Render.Shared (mapShared)
 import BlackHole.Render.Workers (Workers)
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
@@ -32,13 +33,13 @@ import BlackHole.Trace.Estimate
 import BlackHole.Trace.Pixel
 import Control.Monad (when)
 import Control.Monad.ST (ST)
-import Data.Foldable (for_, toList)
 import Data.Maybe (fromMaybe)
-import Data.Vector.Storable (Storable, Vector)
+import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as Vector
 import Data.Vector.Storable.Mutable (MVector)
 import qualified Data.Vector.Storable.Mutable as MVector
 import Data.Word (Word16, Word8)
+import System.Mem (performMajorGC)
 
 -- | Linear radiance in three channels, row by row from the top.
 type Film = PixelArray Float
@@ -53,7 +54,7 @@ exposeFilm workers progress scene =
 -- (at least 1). The numbers are those that the whole film has there. 'Nothing'
 -- also if the picture has no such rows.
 exposeRows :: Workers -> (Int -> IO ()) -> Scene -> (Int, Int) -> IO (Maybe Film)
-exposeRows workers progress scene band = fmap exposedLight <$> exposeCounted workers progress scene band
+exposeRows crew progress scene band = fmap exposedLight <$> exposeCounted crew progress scene band
 
 -- | How many samples each pixel got, in one channel.
 type SampleCounts = PixelArray Float
@@ -74,67 +75,69 @@ countsRow scene (Exposed light counts) row
   where
     width = shapeWidth (pixelArrayShape light)
 
--- | 'exposeRows' with the number of samples of each pixel.
-exposeCounted :: Workers -> (Int -> IO ()) -> Scene -> (Int, Int) -> IO (Maybe Exposed)
-exposeCounted workers progress scene (first, rows)
-  | rows < 1 || first < 0 || first > height - rows = pure Nothing
-  | otherwise = case (,) <$> pixelShape width rows 3 <*> tracer scene of
-    Nothing -> pure Nothing
-    Just (shape, traced)
-      | mostSamples scene > sceneSamples scene ->
-        (>>= together) . sequence <$> mapM (refineBand workers progress traced first) (bandsOf width rows)
-      | otherwise -> Just . (`Exposed` Nothing) <$> generateRows workers progress shape (traceRow traced width . (first +))
-      where
-        together bands =
-          Exposed
-            <$> joined shape (map exposedLight bands)
-            <*> (Just <$> (pixelShape width rows 1 >>= (`joined` concatMap (toList . exposedCounts) bands)))
-  where
-    Picture width height = scenePicture scene
-
--- | The rows of some bands one below the other; 'Nothing' if that is not the shape.
-joined :: Storable e => PixelShape -> [PixelArray e] -> Maybe (PixelArray e)
-joined _ [whole] = Just whole
-joined shape bands = fromPixelVector shape (Vector.concat (map toPixelVector bands))
-
--- | Some rows of a film or its counts, from which and how many, without copying.
-filmRows :: Storable e => PixelArray e -> (Int, Int) -> Maybe (PixelArray e)
-filmRows pixels (first, rows)
+-- | Some rows of a film, from which and how many, without copying.
+filmRows :: Film -> (Int, Int) -> Maybe Film
+filmRows film (first, rows)
   | first < 0 || rows < 1 || first > shapeHeight shape - rows = Nothing
   | otherwise = do
     part <- pixelShape (shapeWidth shape) rows (shapeChannels shape)
-    fromPixelVector part (Vector.slice (first * shapeRowLength shape) (rows * shapeRowLength shape) (toPixelVector pixels))
+    fromPixelVector part (Vector.slice (first * shapeRowLength shape) (rows * shapeRowLength shape) (toPixelVector film))
   where
-    shape = pixelArrayShape pixels
+    shape = pixelArrayShape film
 
--- | First rows and numbers of rows of bands whose sums take up to 128 MiB, three
--- times what their light takes.
-bandsOf :: Int -> Int -> [(Int, Int)]
-bandsOf width rows = [(from, min band (rows - from)) | from <- [0, band .. rows - 1]]
-  where
-    band = max 64 (0x8000000 `quot` (4 * sumCount * width))
-
--- | A band of the picture by adaptive sampling: in rows counted from the first
--- one of all that is exposed.
-refineBand :: Workers -> (Int -> IO ()) -> Tracer -> Int -> (Int, Int) -> IO (Maybe Exposed)
-refineBand workers progress traced begin (from, rows) =
-  case (,,,) <$> pixelShape width haloRows sumCount <*> pixelShape width rows 4 <*> pixelShape width rows 3 <*> pixelShape width rows 1 of
+-- | 'exposeRows' with the number of samples of each pixel.
+exposeCounted :: Workers -> (Int -> IO ()) -> Scene -> (Int, Int) -> IO (Maybe Exposed)
+exposeCounted crew progress scene (first, rows)
+  | first < 0 || first > height - rows = pure Nothing
+  | otherwise = case (,) <$> pixelShape width rows 3 <*> tracer scene of
     Nothing -> pure Nothing
-    Just (haloShape, both, lightShape, countShape) -> do
-      sums <- generateRows workers (\n -> progress (from + min rows n `quot` 2)) haloShape (sumRow traced width . (haloFirst +))
-      pixels <- toPixelVector <$> generateRows workers (\n -> progress (from + (rows + n + 1) `quot` 2)) both (refineRow traced width haloFirst sums . (first +))
-      light <- generateRows workers ignore lightShape $ \y row ->
-        for_ [0 .. 3 * width - 1] $ \i -> MVector.unsafeWrite row i (Vector.unsafeIndex pixels (4 * (y * width + i `quot` 3) + i `rem` 3))
-      counts <- generateRows workers ignore countShape $ \y row ->
-        for_ [0 .. width - 1] $ \x -> MVector.unsafeWrite row x (Vector.unsafeIndex pixels (4 * (y * width + x) + 3))
-      pure (Just (Exposed light (Just counts)))
+    Just (shape, traced) -> do
+      _ <- mapShared crew pure (tracerTables traced)
+      if mostSamples scene > sceneSamples scene
+        then refineRows crew progress traced shape first
+        else Just . (`Exposed` Nothing) <$> generateRows crew progress shape (traceRow traced width . (first +))
+  where
+    Picture width height = scenePicture scene
+
+-- | What 'exposeRows' does for adaptive sampling: the first samples of some rows,
+-- then, as all their neighbours are known, the further ones of these rows, and on
+-- to the next. So many rows at a time that the workers seldom wait for each other,
+-- and that the sums of all samples need little memory in a large picture.
+refineRows :: Workers -> (Int -> IO ()) -> Tracer -> PixelShape -> Int -> IO (Maybe Exposed)
+refineRows crew progress traced shape first = go 0 Nothing []
   where
     Picture width height = scenePicture (tracedScene traced)
-    ignore = const (pure ())
-    first = begin + from
-    -- Whether a pixel needs more samples is for its neighbours to say, too.
-    haloFirst = max 0 (first - 1)
-    haloRows = min height (first + rows + 1) - haloFirst
+    rows = shapeHeight shape
+    go from before done
+      | from >= rows = pure (together (reverse done))
+      | otherwise = case (,) <$> pixelShape width count 4 <*> pixelShape width haloRows sumCount of
+        Nothing -> pure Nothing
+        Just (bandShape, haloShape) -> do
+          sums <- generateRows crew (progress . (from +) . (`quot` 2)) haloShape $ \y row ->
+            case before >>= \(beforeFirst, known) -> pixelRow known (haloFirst + y - beforeFirst) of
+              Just known -> Vector.unsafeCopy row known
+              Nothing -> sumRow traced width (haloFirst + y) row
+          band <- generateRows crew (progress . (from +) . half . (count +)) bandShape (refineRow traced width haloFirst sums . (first + from +))
+          -- The sums are the largest thing there is.
+          when (from + count < rows) performMajorGC
+          let !parts = separated (toPixelVector band)
+          go (from + count) (Just (haloFirst, sums)) (parts : done)
+      where
+        count = min 256 (rows - from)
+        -- Whether a pixel needs more samples is for its neighbours to say, too.
+        haloFirst = max 0 (first + from - 1)
+        haloRows = min height (first + from + count + 1) - haloFirst
+    half n = (n + 1) `quot` 2
+    -- Light and counts of a band, which were made together.
+    separated pixels =
+      let !light = Vector.generate (3 * (Vector.length pixels `quot` 4)) (\i -> Vector.unsafeIndex pixels (4 * (i `quot` 3) + i `rem` 3))
+          !counts = Vector.generate (Vector.length pixels `quot` 4) (\i -> Vector.unsafeIndex pixels (4 * i + 3))
+       in (light, counts)
+    together bands = do
+      countShape <- pixelShape width rows 1
+      Exposed <$> fromPixelVector shape (joined (map fst bands)) <*> (Just <$> fromPixelVector countShape (joined (map snd bands)))
+    joined [whole] = whole
+    joined parts = Vector.concat parts
 
 -- | Trace one row into its part of the film.
 traceRow :: Tracer -> Int -> Int -> MVector s Float -> ST s ()
@@ -185,26 +188,28 @@ writeRadiance pixels column (Radiance r g b) = do
 sumRow :: Tracer -> Int -> Int -> MVector s Float -> ST s ()
 sumRow traced !width !row sums =
   forThrees width (firstSamples traced width row) $ \column estimate ->
-    for_ (zip [0 ..] (estimateSums estimate)) $ \(k, v) ->
+    forSums estimate $ \k v ->
       MVector.unsafeWrite sums (sumCount * column + k) (realToFrac v)
 
--- | Numbers of an estimate without its count, which is the same everywhere.
-sumCount :: Int
-sumCount = 9
-
--- | Finish one row, given the first sums and the number of their first row: three
--- channels of light and the number of samples.
+-- | Finish one row, given the first sums and the number of their first row: light
+-- in three channels, and the number of samples.
 refineRow :: Tracer -> Int -> Int -> PixelArray Float -> Int -> MVector s Float -> ST s ()
-refineRow traced !width !sumsFirst sums !row pixels = for_ [0 .. width - 1] $ \column -> do
-  let estimate = refinedEstimate traced first column row
-      Radiance r g b = estimatedRadiance estimate
-  for_ (zip [0 ..] [realToFrac r, realToFrac g, realToFrac b, fromIntegral (estimateCount estimate)]) $ \(k, v) ->
-    MVector.unsafeWrite pixels (4 * column + k) v
+refineRow traced !width !sumsFirst sums !row pixels = go 0
   where
-    count = sceneSamples (tracedScene traced)
-    first c r = case pixelChannels sums c (r - sumsFirst) of
-      Just v -> estimateFromSums count (realToFrac . Vector.unsafeIndex v)
-      Nothing -> noSamples
+    go !column = when (column < width) $ do
+      let estimate = refinedEstimate traced uncertain (first column) column row
+          Radiance r g b = estimatedRadiance estimate
+      MVector.unsafeWrite pixels (4 * column) (realToFrac r)
+      MVector.unsafeWrite pixels (4 * column + 1) (realToFrac g)
+      MVector.unsafeWrite pixels (4 * column + 2) (realToFrac b)
+      MVector.unsafeWrite pixels (4 * column + 3) (fromIntegral (estimateCount estimate))
+      go (column + 1)
+    scene = tracedScene traced
+    !numbers = toPixelVector sums
+    sumOf :: Int -> Int -> Int -> Double
+    sumOf c r k = realToFrac (Vector.unsafeIndex numbers (sumCount * (width * (r - sumsFirst) + c) + k))
+    first c = estimateFromSums (sceneSamples scene) (sumOf c row)
+    uncertain c r = uncertainEstimate scene (sumOf c r seenPlace) (sumOf c r (seenPlace + 1))
 
 -- | What an 8-bit sRGB display is told: exposure, tone map, coding and dither.
 developFilm :: Workers -> Exposure -> ToneMap -> Dither -> Film -> IO (PixelArray Word8)

@@ -5,7 +5,10 @@ module BlackHole.Trace.Estimate
     addSample,
     estimatedRadiance,
     estimatedError,
-    estimateSums,
+    standardError,
+    sumCount,
+    seenPlace,
+    forSums,
     estimateFromSums,
     asStored,
   )
@@ -62,27 +65,41 @@ estimatedRadiance (Estimate n plain weighted weights _ _)
 -- | The standard error of the mean, as a part of white on a display; 0 for fewer
 -- than two samples. Samples spread evenly do better than that.
 estimatedError :: Estimate -> Double
-estimatedError (Estimate n _ _ _ seen square)
+estimatedError (Estimate n _ _ _ seen square) = standardError n seen square
+
+-- | The same from the count, 'estimateSeen' and 'estimateSeenSquare'.
+standardError :: Int -> Double -> Double -> Double
+standardError n seen square
   | n < 2 = 0
   | otherwise = sqrt (max 0 (square - seen * seen / count) / (count * (count - 1)))
   where
     count = fromIntegral n
+{-# INLINE standardError #-}
 
--- | Its sums in an order, without the count.
-estimateSums :: Estimate -> [Double]
-estimateSums (Estimate _ (Radiance r g b) (Radiance r' g' b') weights seen square) =
-  [r, g, b, r', g', b', weights, seen, square]
+-- | How many numbers 'forSums' hands out.
+sumCount :: Int
+sumCount = 9
 
--- | From the count and a function from the place in 'estimateSums' to the sum.
+-- | The place of 'estimateSeen' among them; 'estimateSeenSquare' is the next.
+seenPlace :: Int
+seenPlace = 7
+
+-- | Do something with each of an estimate's sums and its place, from 0; the count
+-- is left out.
+forSums :: Applicative f => Estimate -> (Int -> Double -> f ()) -> f ()
+forSums (Estimate _ (Radiance r g b) (Radiance r' g' b') weights seen square) act =
+  act 0 r *> act 1 g *> act 2 b *> act 3 r' *> act 4 g' *> act 5 b' *> act 6 weights *> act seenPlace seen *> act (seenPlace + 1) square
+{-# INLINE forSums #-}
+
+-- | From the count and a function from the place of a sum to its value.
 estimateFromSums :: Int -> (Int -> Double) -> Estimate
 estimateFromSums n at =
-  Estimate n (Radiance (at 0) (at 1) (at 2)) (Radiance (at 3) (at 4) (at 5)) (at 6) (at 7) (at 8)
+  Estimate n (Radiance (at 0) (at 1) (at 2)) (Radiance (at 3) (at 4) (at 5)) (at 6) (at seenPlace) (at (seenPlace + 1))
+{-# INLINE estimateFromSums #-}
 
 -- | What a film of single precision keeps of it.
 asStored :: Estimate -> Estimate
-asStored estimate = case map single (estimateSums estimate) of
-  [r, g, b, r', g', b', weights, seen, square] ->
-    Estimate (estimateCount estimate) (Radiance r g b) (Radiance r' g' b') weights seen square
-  _ -> estimate
+asStored (Estimate n plain weighted weights seen square) =
+  Estimate n (mapRadiance single plain) (mapRadiance single weighted) (single weights) (single seen) (single square)
   where
     single v = realToFrac (realToFrac v :: Float)

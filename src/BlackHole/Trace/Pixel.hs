@@ -7,6 +7,7 @@
 module BlackHole.Trace.Pixel
   ( Tracer,
     tracer,
+    tracerTables,
     addSamples,
     addSamplesToThree,
     onlySample,
@@ -60,8 +61,9 @@ data Tracer = Tracer
     -- | The part of g that counts for the sky, by the observer's frequency.
     tracerSkyShift :: !(Double -> Double),
     tracerRegion :: !Region,
-    tracerMatter :: !Matter,
-    -- | The paths through the camera's place; made when first used.
+    -- | Made when first used, like the next.
+    tracerMatter :: Matter,
+    -- | The paths through the camera's place.
     tracerTable :: LensTable,
     tracerSky :: !SkyShader
   }
@@ -88,11 +90,12 @@ tracer scene = do
           Schwarzschild -> skyShift (sceneShifts scene) (XYZ.norm place),
         tracerRegion = sceneRegion scene,
         tracerMatter = matter,
-        tracerTable = lensTable (XYZ.norm place),
+        tracerTable = table,
         tracerSky = sky
       }
   where
     Exposure stops = sceneExposure scene
+    table = lensTable (XYZ.norm place)
     place = posePosition (cameraPose (sceneCamera scene))
     seed = sceneSeed scene
     sky
@@ -103,6 +106,13 @@ tracer scene = do
       Just disk
         | sceneDebugTextures scene -> Checks disk
         | otherwise -> Gaseous (gas seed (sceneShifts scene) disk place (pixelAngle (sceneCamera scene) (scenePicture scene)) (sceneSamples scene))
+
+-- | What takes time to be made ready, to be evaluated beforehand, each apart from
+-- the others. Without, the first ray that needs it waits for it.
+tracerTables :: Tracer -> [()]
+tracerTables traced =
+  [tracerMatter traced `seq` ()]
+    ++ [tracerTable traced `seq` () | sceneIntegrator (tracerScene traced) == Tabulated]
 
 -- | Follow a line of sight by the scene's own integrator and hand the stretches
 -- that lie where there can be gas to the gatherer. The point of the picture is

@@ -1,3 +1,5 @@
+{-# LANGUAGE BangPatterns #-}
+
 -- | Light from the celestial sphere.
 module BlackHole.Trace.Sky
   ( SkyShader (..),
@@ -9,8 +11,9 @@ where
 import BlackHole.Light.BlackBodyTable (tabulatedColour)
 import BlackHole.Light.Radiance
 import BlackHole.Noise.Lattice (unitLevel)
-import BlackHole.Noise.PerlinG (noise3, perlin3Above)
+import BlackHole.Noise.PerlinG (noise3)
 import BlackHole.Noise.Profile (normalised, octaves)
+import BlackHole.Noise.Threshold (perlin3Above)
 import BlackHole.Scene.Sky
 import BlackHole.Trace.Beam (Beam)
 import BlackHole.Trace.Grid
@@ -64,13 +67,13 @@ starRadiance seed stars = \g direction ->
   let place = starFrequency stars *^ direction
    in -- Four widths below the threshold a star is darker than 2 % of itself:
       -- cut there, so that the sky between the stars is black.
-      case perlin3Above fieldSeed profile (starThreshold stars - 4 / starSharpness stars) place of
+      case above (starThreshold stars - 4 / starSharpness stars) place of
         Nothing -> black
         Just value ->
-          let above = starSharpness stars * (value - starThreshold stars)
-           in scaleRadiance (starBrightness stars / (1 + exp (negate above))) (light g place)
+          let excess = starSharpness stars * (value - starThreshold stars)
+           in scaleRadiance (starBrightness stars / (1 + exp (negate excess))) (light g place)
   where
-    profile = normalised (octaves unitLevel (starOctaves stars) 0.5)
+    !above = perlin3Above fieldSeed (normalised (octaves unitLevel (starOctaves stars) 0.5))
     fieldSeed = purposeSeed seed StarField
     colourSeed = purposeSeed seed StarColour
     light

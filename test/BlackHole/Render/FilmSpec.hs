@@ -48,6 +48,10 @@ spec = do
           (Vector.minimum counts, Vector.maximum counts) `shouldBe` (4, 64)
           countsRow searching whole 27 `shouldBe` Vector.replicate 48 0
         _ -> expectationFailure "no film"
+    it "has the same light in a band as in a whole of many" $ do
+      whole <- exposeFilm oneWorker (const (pure ())) tall
+      band <- exposeRows oneWorker (const (pure ())) tall (200, 100)
+      fmap toPixelVector band `shouldBe` fmap (Vector.slice (3 * 8 * 200) (3 * 8 * 100) . toPixelVector) whole
     it "comes closer to a picture of 256 samples than as many samples spread evenly" $ do
       -- Both take the same time here (measured).
       reference <- exposeFilm oneWorker (const (pure ())) even' {sceneSamples = 256}
@@ -67,6 +71,10 @@ small = defaultScene {scenePicture = Picture 48 27, sceneSamples = 1}
 even', searching :: Scene
 even' = defaultScene {scenePicture = Picture 48 27, sceneNoise = 0, sceneSky = SkyNone, sceneCamera = (sceneCamera defaultScene) {cameraFieldOfView = Degrees 16}}
 searching = even' {sceneSamples = 4, sceneNoise = 0.02, sceneMostSamples = 64}
+
+-- | A strip through the middle.
+tall :: Scene
+tall = searching {scenePicture = Picture 8 530, sceneCamera = (sceneCamera defaultScene) {cameraFieldOfView = Degrees 0.4}}
 
 -- | Of what a display shows.
 rmse :: Film -> Film -> Double

@@ -19,12 +19,13 @@ import BlackHole.Render.RowCount (withRowCount)
 import BlackHole.Render.Workers (Workers, workersCount)
 import Control.Concurrent.Async (replicateConcurrently_)
 import Control.Monad (when)
-import Control.Monad.ST (ST, stToIO)
+import Control.Monad.ST (RealWorld, ST, stToIO)
 import Data.IORef (atomicModifyIORef', newIORef)
 import Data.Vector.Storable (Storable, Vector)
 import qualified Data.Vector.Storable as Vector
 import Data.Vector.Storable.Mutable (MVector)
 import qualified Data.Vector.Storable.Mutable as MVector
+import Data.Word (Word8)
 
 -- | An immutable array of pixels in the order of
 -- "BlackHole.Render.PixelShape". The film of linear light is a
@@ -66,14 +67,17 @@ generateRows ::
   (forall s. Int -> MVector s e -> ST s ()) ->
   IO (PixelArray e)
 generateRows crew progress shape fillRow = do
-  pixels <- MVector.new (shapeLength shape)
+  -- Whoever fills a row clears it first: the memory of a huge picture is then
+  -- touched by all workers at once.
+  pixels <- MVector.unsafeNew (shapeLength shape)
   nextRow <- newIORef 0
   let worker :: IO () -> IO ()
       worker rowFinished = do
         y <- atomicModifyIORef' nextRow $ \next -> (next + 1, next)
         when (y < shapeHeight shape) $ do
-          stToIO . fillRow y $
-            MVector.slice (y * shapeRowLength shape) (shapeRowLength shape) pixels
+          let row = MVector.slice (y * shapeRowLength shape) (shapeRowLength shape) pixels
+          MVector.set (MVector.unsafeCast row :: MVector RealWorld Word8) 0
+          stToIO (fillRow y row)
           rowFinished
           worker rowFinished
   withRowCount (shapeHeight shape) progress $
