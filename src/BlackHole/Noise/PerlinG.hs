@@ -101,7 +101,7 @@ newtype Seed = Seed Word64
 -- 'BlackHole.Noise.Lattice.circumference' in each coordinate. 0 where a
 -- coordinate is not finite.
 noise2 :: Seed -> Level -> XY -> Double
-noise2 seed l v = maybe 0 (plainNoise2 seed l) (onGrid2 v)
+noise2 !seed !l v = maybe 0 (plainNoise2 seed l) (onGrid2 v)
 
 -- | Noise of one level in space. Within −1 … 1 (the tight bound is 0.99993),
 -- mean 0, variance 1.2625² · 17527135\/480729249 ≈ 0.0581; 0 at the level's
@@ -109,7 +109,7 @@ noise2 seed l v = maybe 0 (plainNoise2 seed l) (onGrid2 v)
 -- 'BlackHole.Noise.Lattice.circumference' in each coordinate. 0 where a
 -- coordinate is not finite.
 noise3 :: Seed -> Level -> XYZ -> Double
-noise3 seed l v = maybe 0 (plainNoise3 seed l) (onGrid3 v)
+noise3 !seed !l v = maybe 0 (plainNoise3 seed l) (onGrid3 v)
 
 -- | Noise of a profile in the plane: the sum over the profile's levels of
 -- amplitude times 'noise2'. Within plus and minus

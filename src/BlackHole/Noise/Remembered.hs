@@ -99,7 +99,7 @@ rememberedPerlin3 (Remembered seed reals boxes gradients) !count place@(XYZ px p
         value :: Int -> Double
         value !i
           | dx < nx && dy < ny && dz < nz = interpolateGradients3 u v w at
-          | otherwise = noise3 seed (clampedLevel (fromIntegral (field 0))) (XYZ px py pz)
+          | otherwise = hashed seed (field 0) (XYZ px py pz)
           where
             field k = indexPrimArray boxes (boxFields * i + k)
             !cells = indexPrimArray reals (realFields * i + 1)
@@ -122,6 +122,12 @@ rememberedPerlin3 (Remembered seed reals boxes gradients) !count place@(XYZ px p
               fromIntegral
                 (indexPrimArray gradients (first + a + (if b == 0 then 0 else row) + (if c == 0 then 0 else slice)))
             {-# INLINE at #-}
+
+-- The level is made of its number in here: outside, GHC would prepare the noise of
+-- the lowest and of the highest level for every place.
+hashed :: Seed -> Word64 -> XYZ -> Double
+hashed !seed !number = noise3 seed (clampedLevel (fromIntegral number))
+{-# NOINLINE hashed #-}
 
 -- | The cells of one level in a box of space: first index along each axis, how
 -- many, and where its points begin in the table.

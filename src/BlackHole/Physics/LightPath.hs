@@ -25,14 +25,14 @@ import qualified BlackHole.Vector.XYZ as XYZ
 -- | A piece of a path, short against the structure of the gas around it.
 data Stretch = Stretch
   { -- | Its middle, where the gas is evaluated (Schwarzschild radii).
-    stretchMiddle :: !XYZ,
+    stretchMiddle :: {-# UNPACK #-} !XYZ,
     -- | Backward pseudo-velocity there for unit energy at infinity: the
     -- radial part is @k^r@ and the tangential part @L/r@ of the real momentum,
     -- both with the sign reversed.
-    stretchVelocity :: !XYZ,
+    stretchVelocity :: {-# UNPACK #-} !XYZ,
     -- | Affine length in the same scale. Somebody to whom the light has @ν@
     -- times its energy at infinity measures @ν@ times this length.
-    stretchAffineLength :: !Double
+    stretchAffineLength :: {-# UNPACK #-} !Double
   }
   deriving (Eq, Show)
 

@@ -123,37 +123,37 @@ gatherGas g observed gathered stretch = onward (throughGas g observed gathered s
 throughGas :: Gas -> Double -> Gathered -> Stretch -> Gathered
 throughGas prepared !observed !gathered !stretch
   | dense < faintest = gathered
-  | otherwise = case gasGlow g of
-    ByRadius brightness ->
-      pass
-        (opacity * stretchLength stretch)
-        (scaleRadiance brightness (hueRamp ((r - 1) / (gasOuter g - 1))))
-        gathered
-    ByTemperature temperatures table glow
-      | r <= 1 -> gathered
-      | otherwise ->
-        let !static = sqrt (r / (r - 1))
-            !emitted = gasFrequency place r (stretchVelocity stretch)
-            -- The length of the stretch in the gas's own frame, where its
-            -- opacity is meant: ν_em times the affine length. Without the
-            -- Doppler shift that gas is thought at rest.
-            Shifts doppler gravity = gasShifts g
-            !frequency = if doppler then emitted else static
-            !tau = opacity * frequency * stretchAffineLength stretch
-            !shift = (if gravity then observed / static else 1) * (if doppler then static / emitted else 1)
-            !temperature = shift * valueAt temperatures (rowAt temperatures r) 0
-            source
-              | temperature < hottest =
-                let row = rowAt table temperature
-                 in Radiance (valueAt table row 0) (valueAt table row 1) (valueAt table row 2)
-              | otherwise = glow temperature
-         in pass tau source gathered
+  | otherwise = shining (gasExtinction g * exponential dense)
   where
     g = lazy prepared
     !place = stretchMiddle stretch
     !r = XYZ.norm place
     !dense = logDensity (gasDensity g) place r (stretchLength stretch)
-    opacity = gasExtinction g * exponential dense
+    shining !opacity = case gasGlow g of
+      ByRadius brightness ->
+        pass
+          (opacity * stretchLength stretch)
+          (scaleRadiance brightness (hueRamp ((r - 1) / (gasOuter g - 1))))
+          gathered
+      ByTemperature temperatures table glow
+        | r <= 1 -> gathered
+        | otherwise ->
+          let !static = sqrt (r / (r - 1))
+              !emitted = gasFrequency place r (stretchVelocity stretch)
+              -- The length of the stretch in the gas's own frame, where its
+              -- opacity is meant: ν_em times the affine length. Without the
+              -- Doppler shift that gas is thought at rest.
+              Shifts doppler gravity = gasShifts g
+              !frequency = if doppler then emitted else static
+              !tau = opacity * frequency * stretchAffineLength stretch
+              !shift = (if gravity then observed / static else 1) * (if doppler then static / emitted else 1)
+              !temperature = shift * valueAt temperatures (rowAt temperatures r) 0
+              source
+                | temperature < hottest =
+                  let row = rowAt table temperature
+                   in Radiance (valueAt table row 0) (valueAt table row 1) (valueAt table row 2)
+                | otherwise = glow temperature
+           in pass tau source gathered
 {-# NOINLINE throughGas #-}
 
 -- | The report's gas colour between the hole's edge (0) and the disk's (1):

@@ -213,7 +213,7 @@ armThickness field r azimuth displaced
 -- | What turbulence adds to the logarithm of the density. Gas is drawn out along
 -- its orbit, trailing outwards, and looks alike at every radius.
 turbulence :: GasField -> XYZ -> Double -> Double -> Double -> Double -> Double -> Double -> Double
-turbulence field place@(XYZ _ y _) r len azimuth displaced logR rate
+turbulence field place@(XYZ _ y _) r len azimuth displaced logR !rate
   | fieldTurbulence field == 0 = 0
   | otherwise = fieldTurbulence field * (part (fieldFirst field) + part (fieldSecond field)) + valueAt (fieldDetail field) resolved 1
   where

@@ -111,8 +111,7 @@ tracer scene = do
 -- the others. Without, the first ray that needs it waits for it.
 tracerTables :: Tracer -> [()]
 tracerTables traced =
-  [tracerMatter traced `seq` ()]
-    ++ [tracerTable traced `seq` () | sceneIntegrator (tracerScene traced) == Tabulated]
+  seq (tracerMatter traced) () : [seq (tracerTable traced) () | sceneIntegrator (tracerScene traced) == Tabulated]
 
 -- | Follow a line of sight by the scene's own integrator and hand the stretches
 -- that lie where there can be gas to the gatherer. The point of the picture is

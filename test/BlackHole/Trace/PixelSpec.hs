@@ -2,6 +2,7 @@ module BlackHole.Trace.PixelSpec (spec) where
 
 import BlackHole.Light.Radiance
 import BlackHole.Physics.Angle
+import BlackHole.Physics.LightPath
 import BlackHole.Physics.Observer
 import BlackHole.Physics.Spacetime
 import BlackHole.Scene.Camera
@@ -11,6 +12,8 @@ import BlackHole.Scene.Scene
 import BlackHole.Scene.Sky
 import BlackHole.Trace.Pixel
 import BlackHole.Vector.XY (XY (..))
+import Control.Exception (evaluate)
+import Support.Allocation (allocatedBytes, whenOptimised)
 import Support.Approx
 import Support.Generators
 import Test.Hspec
@@ -61,6 +64,19 @@ spec = do
           | (name, preset) <- presets,
             let l = light preset {scenePicture = Picture 64 36} (XY x y)
         ]
+
+  it "leaves nothing behind for a stretch of gas" . whenOptimised $
+    case tracer defaultScene {sceneSky = SkyNone} of
+      Nothing -> expectationFailure "no scene"
+      Just traced -> do
+        let stretches point = maybe 0 (\sight -> followedSteps (followSight traced point sight (\() _ -> Onward ()) ())) (tracedSight traced point)
+            points = [XY x y | x <- [100, 300 .. 1200], y <- [250, 290 .. 700]]
+        _ <- evaluate (sum [luminance (sightRadiance traced point) | point <- points])
+        bytes <- mapM (allocatedBytes . sightRadiance traced) points
+        let long = [b | (b, point) <- zip bytes points, stretches point >= 16]
+        length long `shouldSatisfy` (> 10)
+        -- What a ray needs for itself; a stretch once took a hundred bytes.
+        maximum long `shouldSatisfy` (< 3300)
 
 light :: Scene -> XY -> Radiance
 light scene point = maybe (Radiance (0 / 0) 0 0) (`sightRadiance` point) (tracer scene)
