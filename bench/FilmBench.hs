@@ -8,6 +8,7 @@ import BlackHole.Light.Display
 import BlackHole.Light.Dither
 import BlackHole.Render.Bloom
 import BlackHole.Render.Film
+import BlackHole.Render.Layer (noLayers)
 import BlackHole.Render.PixelArray
 import BlackHole.Render.PixelShape
 import BlackHole.Render.Workers
@@ -44,7 +45,7 @@ benchmarks =
     file ready format bits =
       bench ("development and " ++ show format ++ " in " ++ show bits ++ " bits") . whnfIO $
         fmap Lazy.length
-          <$> encodeFile oneWorker format (Label "bench" (Coding (Just bits) Nothing) Bytes.empty) (Development (Exposure 0) ToneFilm BlueNoise) [] (filmOf ready)
+          <$> encodeFile oneWorker format (Label "bench" (Coding (Just bits) Nothing) Bytes.empty) (Development (Exposure 0) ToneFilm BlueNoise) noLayers (filmOf ready)
 
 -- | A third black, the rest soft with some texture, as renderings are.
 gradient :: IO Film

@@ -45,21 +45,24 @@ import BlackHole.Image.AtomicFile (renderWriteProblem, writeFileAtomically)
 import BlackHole.Image.Coding (Format, defaultCoding, formatExtensions, formatOf)
 import BlackHole.Image.Finish (finishFilm)
 import BlackHole.Light.Radiance (Radiance (..))
-import BlackHole.Render.Film (Film, exposeFilmUnder, filmRadiance)
+import BlackHole.Render.Film (Exposed (..), exposeCounted)
+import qualified BlackHole.Render.Film as Film
 import BlackHole.Render.PixelArray (pixelArrayShape)
 import BlackHole.Render.PixelShape (shapeHeight, shapeWidth)
 import BlackHole.Render.Workers (Workers, defaultWorkers, withWorkers)
+import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Field.Field (Field (..))
 import BlackHole.Scene.Field.Kind (readValue)
 import BlackHole.Scene.Field.Table (findField, sceneFields)
 import qualified BlackHole.Scene.File.SceneFile as SceneFile
 import BlackHole.Scene.Preset (defaultScene, findPreset, presetNames)
 import BlackHole.Scene.Problem (suggestion)
-import BlackHole.Scene.Scene (Scene)
+import BlackHole.Scene.Scene (Scene (..))
 import BlackHole.Scene.Setting (Setting (..), applySettings, withoutEffect)
 import BlackHole.Scene.Validate (renderProblem, validateScene)
 import Data.Either (partitionEithers)
 import Data.List (intercalate)
+import Data.List.NonEmpty (NonEmpty (..))
 import Data.Version (showVersion)
 import qualified Paths_blackhole as Package
 
@@ -109,20 +112,28 @@ renderFilm progress scene = case map renderProblem (validateScene scene) of
   [] -> loadSky scene >>= either (pure . Left . pure) (crewed . under)
   problems -> pure (Left problems)
   where
-    under sky crew = maybe (Left ["this scene can't be traced"]) Right <$> exposeFilmUnder (skyFileImage <$> sky) crew progress scene
+    under sky crew = maybe (Left ["this scene can't be traced"]) (Right . Film) <$> exposeCounted (skyFileImage <$> sky) crew progress scene (0, pictureHeight (scenePicture scene))
+
+-- | Linear light of a scene's pixels, and how many samples each of them got.
+newtype Film = Film Exposed
 
 -- | A film's width and height in pixels.
 filmSize :: Film -> (Int, Int)
-filmSize film = (shapeWidth shape, shapeHeight shape)
+filmSize (Film exposed) = (shapeWidth shape, shapeHeight shape)
   where
-    shape = pixelArrayShape film
+    shape = pixelArrayShape (exposedLight exposed)
+
+-- | @filmRadiance film column row@: the radiance of a pixel, from the top left
+-- corner; 'Nothing' outside.
+filmRadiance :: Film -> Int -> Int -> Maybe Radiance
+filmRadiance (Film exposed) = Film.filmRadiance (exposedLight exposed)
 
 -- | Develop a scene's film as the scene says and write it in the format of the
 -- file's extension. The file appears, or is replaced, only when it is complete; it
 -- says of which scene it was made. 'Left' holds one line that says why not.
 writeFilm :: FilePath -> Scene -> Film -> IO (Either [String] ())
-writeFilm file scene film = inFormat file $ \format -> do
-  bytes <- crewed (\crew -> finishFilm crew software format defaultCoding scene [] film)
+writeFilm file scene (Film exposed) = inFormat file $ \format -> do
+  bytes <- crewed (\crew -> finishFilm crew software format defaultCoding (scene :| []) exposed)
   case bytes of
     Nothing -> pure (Left [file ++ ": this format has no room for so large a picture"])
     Just content -> either (Left . pure . renderWriteProblem) Right <$> writeFileAtomically file content

@@ -25,6 +25,7 @@ import qualified BlackHole.Cli.PreviewSpec
 import qualified BlackHole.Cli.ProgressSpec
 import qualified BlackHole.Cli.RaysSpec
 import qualified BlackHole.Cli.RunSpec
+import qualified BlackHole.Cli.SchemaSpec
 import qualified BlackHole.Cli.SelfTestSpec
 import qualified BlackHole.Cli.SkyFileSpec
 import qualified BlackHole.Cli.SoakSpec
@@ -38,6 +39,7 @@ import qualified BlackHole.Image.DeflateSpec
 import qualified BlackHole.Image.FileSpec
 import qualified BlackHole.Image.GoldenSpec
 import qualified BlackHole.Image.JpegSegmentsSpec
+import qualified BlackHole.Image.MomentsSpec
 import qualified BlackHole.Image.PanoramaSpec
 import qualified BlackHole.Image.PlainTiffSpec
 import qualified BlackHole.Image.PngSpec
@@ -96,6 +98,7 @@ import qualified BlackHole.Trace.EstimateSpec
 import qualified BlackHole.Trace.ExplainSpec
 import qualified BlackHole.Trace.GasSpec
 import qualified BlackHole.Trace.GridSpec
+import qualified BlackHole.Trace.PixelGeometrySpec
 import qualified BlackHole.Trace.PixelSpec
 import qualified BlackHole.Trace.PlaneCrossingSpec
 import qualified BlackHole.Trace.SamplingSpec
@@ -138,6 +141,7 @@ main = hspec $ do
   describe "BlackHole.Cli.Progress" BlackHole.Cli.ProgressSpec.spec
   describe "BlackHole.Cli.Rays" BlackHole.Cli.RaysSpec.spec
   describe "BlackHole.Cli.Run" BlackHole.Cli.RunSpec.spec
+  describe "BlackHole.Cli.Schema" BlackHole.Cli.SchemaSpec.spec
   describe "BlackHole.Cli.SelfTest" BlackHole.Cli.SelfTestSpec.spec
   describe "BlackHole.Cli.SkyFile" BlackHole.Cli.SkyFileSpec.spec
   describe "BlackHole.Cli.Soak" BlackHole.Cli.SoakSpec.spec
@@ -151,6 +155,7 @@ main = hspec $ do
   describe "BlackHole.Image.File" BlackHole.Image.FileSpec.spec
   describe "BlackHole.Image.Golden" BlackHole.Image.GoldenSpec.spec
   describe "BlackHole.Image.JpegSegments" BlackHole.Image.JpegSegmentsSpec.spec
+  describe "BlackHole.Image.Moments" BlackHole.Image.MomentsSpec.spec
   describe "BlackHole.Image.Panorama" BlackHole.Image.PanoramaSpec.spec
   describe "BlackHole.Image.PlainTiff" BlackHole.Image.PlainTiffSpec.spec
   describe "BlackHole.Image.Png" BlackHole.Image.PngSpec.spec
@@ -209,6 +214,7 @@ main = hspec $ do
   describe "BlackHole.Trace.Explain" BlackHole.Trace.ExplainSpec.spec
   describe "BlackHole.Trace.Gas" BlackHole.Trace.GasSpec.spec
   describe "BlackHole.Trace.Grid" BlackHole.Trace.GridSpec.spec
+  describe "BlackHole.Trace.PixelGeometry" BlackHole.Trace.PixelGeometrySpec.spec
   describe "BlackHole.Trace.Pixel" BlackHole.Trace.PixelSpec.spec
   describe "BlackHole.Trace.PlaneCrossing" BlackHole.Trace.PlaneCrossingSpec.spec
   describe "BlackHole.Trace.Sampling" BlackHole.Trace.SamplingSpec.spec

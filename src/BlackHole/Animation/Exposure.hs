@@ -1,11 +1,13 @@
 -- | The light of a frame: that of one moment, or the mean of several.
 module BlackHole.Animation.Exposure
   ( exposeMoments,
+    exposeMomentRows,
   )
 where
 
-import BlackHole.Render.Film (Film, exposeFilmUnder)
-import BlackHole.Render.PixelArray (fromPixelVector, pixelArrayShape, toPixelVector)
+import BlackHole.Render.Film
+import BlackHole.Render.PixelArray (PixelArray, fromPixelVector, pixelArrayShape, toPixelVector)
+import BlackHole.Render.PixelShape
 import BlackHole.Render.Workers (Workers)
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
@@ -13,33 +15,46 @@ import BlackHole.Trace.SkyImage (SkyImage)
 import Control.Monad (join)
 import Data.Foldable (foldlM)
 import Data.List.NonEmpty (NonEmpty (..))
+import Data.Maybe (isJust)
 import qualified Data.Vector.Storable as Vector
 
--- | Trace every moment and average their linear light. The callback hears what
--- part of all rows is done. Memory is that of two films for any number of moments.
--- The first argument is the picture of the sky if the scenes' is a panorama, which
--- has to be one and the same for all. 'Nothing' if a scene is not valid or their
--- pictures differ in size.
-exposeMoments :: Maybe SkyImage -> Workers -> (Double -> IO ()) -> NonEmpty Scene -> IO (Maybe Film)
-exposeMoments sky crew progress (first :| rest) = do
+-- | Trace every moment and average their linear light; the numbers of samples are
+-- added. The callback hears what part of all rows is done. Memory is that of two
+-- films for any number of moments. The first argument is the picture of the sky if
+-- the scenes' is a panorama, which has to be one and the same for all. 'Nothing' if
+-- a scene is not valid or their pictures differ in size.
+exposeMoments :: Maybe SkyImage -> Workers -> (Double -> IO ()) -> NonEmpty Scene -> IO (Maybe Exposed)
+exposeMoments sky crew progress scenes@(first :| _) =
+  exposeMomentRows sky crew progress scenes (0, pictureHeight (scenePicture first))
+
+-- | The same for a band of the picture: its first row and its number of rows.
+exposeMomentRows :: Maybe SkyImage -> Workers -> (Double -> IO ()) -> NonEmpty Scene -> (Int, Int) -> IO (Maybe Exposed)
+exposeMomentRows sky crew progress (first :| rest) (firstRow, rows) = do
   start <- expose 0 first
   total <- foldlM next start (zip [1 ..] rest)
   pure (total >>= divided)
   where
     count = 1 + length rest
-    expose :: Int -> Scene -> IO (Maybe Film)
-    expose k scene =
-      let rows = max 1 (pictureHeight (scenePicture scene))
-       in exposeFilmUnder sky crew (\done -> progress ((fromIntegral k + fromIntegral done / fromIntegral rows) / fromIntegral count)) scene
+    expose :: Int -> Scene -> IO (Maybe Exposed)
+    expose k scene
+      | scenePicture scene /= scenePicture first = pure Nothing
+      | otherwise = (>>= counted scene) <$> exposeCounted sky crew (\done -> progress ((fromIntegral k + fromIntegral done / fromIntegral (max 1 rows)) / fromIntegral count)) scene (firstRow, rows)
     next before (k, scene) = do
-      light <- expose k scene
-      pure $! join (plus <$> before <*> light)
-    divided film
-      | count == 1 = Just film
-      | otherwise = fromPixelVector (pixelArrayShape film) (Vector.map (/ fromIntegral count) (toPixelVector film))
+      seen <- expose k scene
+      pure $! join (together <$> before <*> seen)
+    together a b = Exposed <$> plus (exposedLight a) (exposedLight b) <*> (Just <$> join (plus <$> exposedCounts a <*> exposedCounts b))
+    -- A sum needs all its numbers.
+    counted scene exposed@(Exposed film counts)
+      | count == 1 || isJust counts = Just exposed
+      | otherwise = do
+        shape <- pixelShape (shapeWidth (pixelArrayShape film)) (shapeHeight (pixelArrayShape film)) 1
+        Exposed film . Just <$> fromPixelVector shape (Vector.replicate (shapeLength shape) (fromIntegral (sceneSamples scene)))
+    divided (Exposed film counts)
+      | count == 1 = Just (Exposed film counts)
+      | otherwise = (`Exposed` counts) <$> fromPixelVector (pixelArrayShape film) (Vector.map (/ fromIntegral count) (toPixelVector film))
 
--- | The sum of the light of two films of one shape.
-plus :: Film -> Film -> Maybe Film
+-- | The sum of two arrays of one shape.
+plus :: PixelArray Float -> PixelArray Float -> Maybe (PixelArray Float)
 plus a b
   | pixelArrayShape a == pixelArrayShape b =
     fromPixelVector (pixelArrayShape a) (Vector.zipWith (+) (toPixelVector a) (toPixelVector b))

@@ -50,9 +50,9 @@ data Shooting = Shooting
     shootingSky :: !(Maybe SkyImage),
     -- | A text that is equal for equal scenes and skies, and says which program this is.
     shootingText :: !(Scene -> String),
-    -- | The file of a frame, from its (first) scene and its light; 'Nothing' if
+    -- | The file of a frame, from its scenes and their mean light; 'Nothing' if
     -- its format has no room for the picture.
-    shootingDevelop :: !(Scene -> Light.Film -> IO (Maybe Lazy.ByteString))
+    shootingDevelop :: !(NonEmpty Scene -> Light.Exposed -> IO (Maybe Lazy.ByteString))
   }
 
 -- | What the listener hears of.
@@ -133,8 +133,8 @@ shoot shooting listen = do
         case exposed of
           Nothing -> pure (Left "its scenes cannot be traced together")
           Just light -> do
-            case Light.faultyPixels light of
+            case Light.faultyPixels (Light.exposedLight light) of
               (count, Just (x, y)) ->
                 listen (Remark ("frame " ++ show (jobFrame job) ++ ": " ++ show count ++ " pixels have no finite radiance, the first at " ++ show x ++ "," ++ show y))
               _ -> pure ()
-            maybe (Left "its format has no room for so large a picture") Right <$> shootingDevelop shooting (NonEmpty.head scenes) light
+            maybe (Left "its format has no room for so large a picture") Right <$> shootingDevelop shooting scenes light

@@ -27,17 +27,16 @@ import BlackHole.Render.Workers
 import BlackHole.Scene.Scene (Scene)
 import BlackHole.Scene.Validate
 import BlackHole.Trace.SkyImage (SkyImage)
-import Control.Concurrent (myThreadId, throwTo)
-import Control.Exception (AsyncException (UserInterrupt), IOException, bracket, try)
+import Control.Exception (IOException, try)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (isDigit, toLower)
 import Data.List (intercalate)
+import Data.List.NonEmpty (NonEmpty)
 import Data.Maybe (fromMaybe, listToMaybe)
 import Options.Applicative
 import System.Directory (doesDirectoryExist)
 import System.Environment (getEnvironment)
 import System.FilePath (takeExtension)
-import System.Posix.Signals (Handler (Catch), installHandler, sigTERM)
 import Text.Read (readMaybe)
 
 -- | The options of @blackhole animate@, with those of the scene.
@@ -145,7 +144,7 @@ runFilm ::
   (String -> IO ()) ->
   Maybe SkyImage ->
   (Scene -> String) ->
-  (Workers -> Scene -> Light.Film -> IO (Maybe Lazy.ByteString)) ->
+  (Workers -> NonEmpty Scene -> Light.Exposed -> IO (Maybe Lazy.ByteString)) ->
   Film ->
   IO Ending
 runFilm options say sky text develop film = do
@@ -157,7 +156,7 @@ runFilm options say sky text develop film = do
       crew <- maybe defaultWorkers pure (workers =<< animateThreads options)
       teller <- newTeller say
       shot <-
-        try . interruptible . withWorkers crew $
+        try . withWorkers crew $
           shoot (Shooting film frames name (animatePatience options) crew video sky text (develop crew)) teller
       clearLine
       case shot of
@@ -224,16 +223,6 @@ usageProblems options film =
        ]
   where
     patience = animatePatience options
-
--- | Let a request to end be an interrupt, so that claims are given back and
--- parts removed: batch systems send one before they kill.
-interruptible :: IO a -> IO a
-interruptible work = do
-  thread <- myThreadId
-  bracket
-    (installHandler sigTERM (Catch (throwTo thread UserInterrupt)) Nothing)
-    (\former -> installHandler sigTERM former Nothing)
-    (const work)
 
 -- | Print what a folder's films lack; whether there are any and all are
 -- complete. The first argument says a line of complaint.

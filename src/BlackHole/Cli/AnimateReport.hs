@@ -62,7 +62,7 @@ reportLines shot =
       holder : others -> " (" ++ holderName holder ++ (if null others then "" else ", ...") ++ ")"
       [] -> ""
     summary tally =
-      show (tallyFrames tally) ++ " frames: " ++ show (tallyRendered tally) ++ " rendered"
+      show (tallyFrames tally) ++ (if tallyFrames tally == 1 then " frame: " else " frames: ") ++ show (tallyRendered tally) ++ " rendered"
         ++ (if tallyRendered tally > 0 then " in " ++ durationText (tallySeconds tally) else "")
         ++ (if tallyFound tally > 0 then ", " ++ show (tallyFound tally) ++ " were done" else "")
         ++ (if tallyFailed tally > 0 then ", " ++ show (tallyFailed tally) ++ " failed" else "")

@@ -17,10 +17,9 @@ import System.Posix.Resource
 import Text.Read (readMaybe)
 
 -- | The least memory in bytes that so many rows of a scene's picture take from
--- light to file: three floats a pixel, three bytes of codes, and with bloom the
--- blurred light beside the sharp one.
+-- light to file: three floats a pixel, and with bloom half as many for a moment.
 pictureMemory :: Scene -> Int -> Integer
-pictureMemory scene rows = toInteger width * toInteger rows * (if sceneBloom scene > 0 then 12 + 12 + 3 else 12 + 3)
+pictureMemory scene rows = toInteger width * toInteger rows * (if sceneBloom scene > 0 then 12 + 6 else 12)
   where
     Picture width _ = scenePicture scene
 

@@ -8,6 +8,7 @@ module BlackHole.Cli.Run
   )
 where
 
+import BlackHole.Animation.Exposure
 import BlackHole.Animation.Film (filmScene)
 import BlackHole.Cli.Animate
 import BlackHole.Cli.Explain (explanationLines, pixelProblems)
@@ -31,6 +32,7 @@ import BlackHole.Image.Coding
 import BlackHole.Image.File (fileLabel)
 import BlackHole.Image.Finish
 import BlackHole.Image.Label
+import BlackHole.Image.Moments
 import BlackHole.Image.TileFile
 import BlackHole.Render.Bloom
 import BlackHole.Render.Film
@@ -46,12 +48,14 @@ import BlackHole.SelfTest.Check (Check, checkHolds)
 import BlackHole.Trace.Explain (explainPixelUnder)
 import BlackHole.Trace.SkyImage (SkyImage)
 import Control.Applicative ((<|>))
-import Control.Exception (IOException, SomeAsyncException (..), SomeException, catch, displayException, evaluate, fromException, throwIO, try)
+import Control.Exception (IOException, SomeAsyncException (..), SomeException, catch, displayException, fromException, throwIO, try)
 import Control.Monad (forM_, void, when)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.IORef
 import Data.List (intercalate)
+import Data.List.NonEmpty (NonEmpty (..))
+import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as Vector
 import Data.Version (showVersion)
 import GHC.Clock (getMonotonicTime)
@@ -59,7 +63,7 @@ import qualified Paths_blackhole as Package
 import qualified System.Console.Terminal.Size as Terminal
 import System.Environment (getEnvironment)
 import System.Exit (ExitCode (..))
-import System.IO (IOMode (ReadMode), hFlush, hIsTerminalDevice, hPutStrLn, hSetBinaryMode, stderr, stdout, withBinaryFile)
+import System.IO (Handle, IOMode (ReadMode), hFlush, hIsTerminalDevice, hPutStrLn, hSetBinaryMode, stderr, stdout, withBinaryFile)
 import System.IO.Error (ioeGetErrorString)
 import System.Info (compilerName, compilerVersion)
 
@@ -158,17 +162,20 @@ render options
     resolved <- renderedScene options
     case resolved of
       Left problems -> BadInput <$ mapM_ (complain BadInput) problems
-      Right (scene, coding)
+      Right (scenes'@(scene :| others), coding)
         | Just pixel <- renderPixel options -> case pixelProblems (scenePicture scene) pixel of
           [] -> underSky scene (explain scene pixel . fmap skyFileImage)
           problems -> complainAll BadInput problems
         | renderPreview options -> underSky scene (\sky -> withCrew (preview (skyFileImage <$> sky) scene))
+        | Just _ <- renderTile options,
+          not (null others) ->
+          complain BadInput "--tile: a frame of a film with an open shutter is rendered as a whole"
         | Just part <- renderTile options -> case tileProblems part (scenePicture scene) of
           [] -> ready scene (snd (shardRows part (pictureHeight (scenePicture scene)))) (\sky crew -> tileTo sky crew part scene)
           problems -> complainAll UsageError problems
         | otherwise -> case outputFormat output of
           Just format -> case codingProblems format coding of
-            [] -> ready scene (pictureHeight (scenePicture scene)) (\sky crew -> renderTo sky crew format coding scene)
+            [] -> ready scene (pictureHeight (scenePicture scene)) (\sky crew -> renderTo sky crew format coding scenes')
             problems -> complainAll UsageError problems
           Nothing -> complainAll UsageError [unknownExtension]
   where
@@ -195,23 +202,24 @@ render options
              | Just from <- [renderFrom options],
                Just _ <- [sceneFile (renderScene options)]
            ]
-    renderTo sky crew format coding scene = do
+    renderTo sky crew format coding scenes'@(scene :| _) = do
       let rows = pictureHeight (scenePicture scene)
-      exposing how (skyFileImage <$> sky) crew scene (0, rows) output $ \film done seconds ->
-        finishing (skyFileImage <$> sky) crew scene (0, done) film seconds (finishFilm crew programName format coding scene [] film) (noRoom output)
+      exposing how (skyFileImage <$> sky) crew scenes' (0, rows) output $ \exposed done seconds ->
+        finishing (skyFileImage <$> sky) crew scene (0, done) (exposedLight exposed) seconds $
+          maybe (complain CannotWrite (noRoom output)) (storeBy output) (finishBands crew programName format coding scenes' (pure . filmRows (exposedLight exposed)) (pure . countsRow scene exposed))
     tileTo sky crew part scene = do
       let band = shardRows part (pictureHeight (scenePicture scene))
-      exposing how {runKeepPartial = False} (skyFileImage <$> sky) crew scene band output $ \film _ seconds ->
-        finishing (skyFileImage <$> sky) crew scene band film seconds (pure (encodeTile (tileHeader (programName : skyLines sky) part scene) film)) "the tile can't be coded"
-    finishing picture crew scene band film traced encoded refusal = do
+      exposing how {runKeepPartial = False} (skyFileImage <$> sky) crew (scene :| []) band output $ \exposed _ seconds ->
+        finishing (skyFileImage <$> sky) crew scene band (exposedLight exposed) seconds $
+          maybe (complain CannotWrite "the tile can't be coded") (store output) (encodeTile (tileHeader (programName : skyLines sky) part scene) (exposedCounts exposed) (exposedLight exposed))
+    finishing picture crew scene band film traced write = do
       faults <- warnOfFaults (fst band) film
       if runStrict how && fst faults > 0
         then complain InternalFault "--strict: no file is written because of them"
         else do
-          (bytes, developing) <- timed (encoded >>= traverse (\b -> b <$ evaluate (Lazy.length b)))
-          (status, writing) <- timed (maybe (complain CannotWrite refusal) (store output) bytes)
+          (status, writing) <- timed write
           memory <- peakMemory
-          let stats = Stats versionLine scene picture crew band traced developing writing memory faults
+          let stats = Stats versionLine scene picture crew band traced writing memory faults
           case runStats how of
             Just file | status == Done -> do
               written <- writeFileAtomically file (statsText stats)
@@ -221,35 +229,41 @@ render options
 -- | Trace rows of a scene, tell how far that is, and go on with the film, the
 -- number of rows done and the seconds it took. If some is to be kept when a signal comes, bands are traced
 -- one after the other, and those that are done make a film that is black below.
-exposing :: RunOptions -> Maybe SkyImage -> Workers -> Scene -> (Int, Int) -> FilePath -> (Film -> Int -> Double -> IO ExitStatus) -> IO ExitStatus
-exposing how sky crew scene (first, rows) output finish
+exposing :: RunOptions -> Maybe SkyImage -> Workers -> NonEmpty Scene -> (Int, Int) -> FilePath -> (Exposed -> Int -> Double -> IO ExitStatus) -> IO ExitStatus
+exposing how sky crew scenes'@(scene :| others) (first, rows) output finish
   | runKeepPartial how = do
     kept <- newIORef []
     start <- getMonotonicTime
     let bands = [(from, min bandRows (rows - from)) | from <- [0, bandRows .. rows - 1]]
     outcome <- try . timed . tracking $ \tell -> forM_ bands $ \(from, count) -> do
-      band <- exposeRowsUnder sky crew (tell . (from +)) scene (first + from, count)
+      band <- exposeMomentRows sky crew (tell . (from +) . rowsOf count) scenes' (first + from, count)
       modifyIORef' kept (maybe id (:) band)
     done <- reverse <$> readIORef kept
-    let rowsDone = sum (map (shapeHeight . pixelArrayShape) done)
-        light = Vector.concat (map toPixelVector done ++ [Vector.replicate (3 * width * (rows - rowsDone)) 0])
-    case (pixelShape width rows 3 >>= (`fromPixelVector` light), outcome) of
+    let light = map exposedLight done
+        rowsDone = sum (map (shapeHeight . pixelArrayShape) light)
+        padded channels arrays = pixelShape width rows channels >>= (`fromPixelVector` Vector.concat (arrays ++ [Vector.replicate (channels * width * (rows - rowsDone)) 0]))
+        -- Rows that are not done got no samples.
+        counts
+          | rowsDone == rows && all (null . exposedCounts) done = Just Nothing
+          | otherwise = Just <$> padded 1 [countsRow scene band y | band <- done, y <- [0 .. shapeHeight (pixelArrayShape (exposedLight band)) - 1]]
+    case (Exposed <$> padded 3 (map toPixelVector light) <*> counts, outcome) of
       (Nothing, _) -> untraceable
-      (Just film, Right ((), seconds)) ->
-        finish film rows seconds `catch` \stop -> finish film rows seconds >> throwIO (stop :: Stopped)
-      (Just film, Left stop)
+      (Just exposed, Right ((), seconds)) ->
+        finish exposed rows seconds `catch` \stop -> finish exposed rows seconds >> throwIO (stop :: Stopped)
+      (Just exposed, Left stop)
         | rowsDone > 0 -> do
           hPutStrLn stderr ("blackhole: " ++ output ++ ": " ++ show rowsDone ++ " of " ++ show rows ++ " rows are done, the others stay black")
           end <- getMonotonicTime
-          _ <- finish film rowsDone (end - start)
+          _ <- finish exposed rowsDone (end - start)
           throwIO (stop :: Stopped)
         | otherwise -> throwIO stop
   | otherwise = do
-    (exposed, seconds) <- timed (tracking (\tell -> exposeRowsUnder sky crew tell scene (first, rows)))
-    maybe untraceable (\film -> finish film rows seconds) exposed
+    (exposed, seconds) <- timed (tracking (\tell -> exposeMomentRows sky crew (tell . rowsOf rows) scenes' (first, rows)))
+    maybe untraceable (\light -> finish light rows seconds) exposed
   where
     width = pictureWidth (scenePicture scene)
-    tracking = withProgress (runProgress how) rows (width * sceneSamples scene)
+    tracking = withProgress (runProgress how) rows (width * sceneSamples scene * (1 + length others))
+    rowsOf count part = floor (part * fromIntegral count + 1e-6 :: Double)
     -- Enough to keep all workers busy, and at most some thirty bands.
     bandRows = max (4 * workersCount crew) ((rows + 31) `quot` 32)
 
@@ -281,13 +295,17 @@ inCrew threads action = do
 
 -- | Write the file that @--output@ names.
 store :: FilePath -> Lazy.ByteString -> IO ExitStatus
-store "-" bytes = do
+store output bytes = storeBy output (`Lazy.hPut` bytes)
+
+-- | The same by an action that writes to a handle.
+storeBy :: FilePath -> (Handle -> IO ()) -> IO ExitStatus
+storeBy "-" write = do
   hSetBinaryMode stdout True
-  outcome <- try (Lazy.hPut stdout bytes >> hFlush stdout)
+  outcome <- try (write stdout >> hFlush stdout)
   case outcome of
     Left failure -> complain CannotWrite ("--output: cannot write to standard output: " ++ ioeGetErrorString (failure :: IOException))
     Right () -> pure Done
-store output bytes = writeFileAtomically output bytes >>= stored
+storeBy output write = writeAtomically output write >>= stored
 
 stored :: Either WriteProblem () -> IO ExitStatus
 stored written = case written of
@@ -314,18 +332,14 @@ join options = case (formatOf output, joinCoding options) of
       joined <- openTiles (joinTiles options)
       case joined of
         Left problems -> BadInput <$ mapM_ (complain BadInput) problems
-        Right (scene, tiles) -> inCrew (joinThreads options) $ \crew -> case streamed crew format coding scene tiles of
-          Just write -> writeAtomically output write >>= stored
-          Nothing -> do
-            light <- readPictureRows tiles (0, pictureHeight (scenePicture scene))
-            case light of
-              Nothing -> complain BadInput "a tile has changed while it was read"
-              Just film -> finishFilm crew programName format coding scene [] film >>= maybe (complain CannotWrite (noRoom output)) (store output)
+        Right (scene, tiles) -> inCrew (joinThreads options) $ \crew ->
+          maybe (complain CannotWrite (noRoom output)) (storeBy output) $
+            finishBands crew programName format coding (scene :| []) (readPictureRows tiles) (countsOf scene tiles)
   where
     output = joinOutput options
-    -- A PNG of pixels that do not depend on each other needs no more memory than
-    -- that of some rows.
-    streamed crew format coding scene tiles = finishBands crew programName format coding scene (readPictureRows tiles)
+    countsOf scene tiles row = do
+      counts <- readCountsRow tiles row
+      pure (fromMaybe (Vector.replicate (pictureWidth (scenePicture scene)) (fromIntegral (sceneSamples scene))) counts)
 
 -- | A film's frames, or what a folder of them lacks.
 animate :: AnimateOptions SceneOptions -> IO ExitStatus
@@ -345,7 +359,7 @@ animate options = case (animateStatus options, formatOf (animateOutput options))
     say line = void (complain Done line)
     coding = animateCoding options
     describe sky = printScene ((programName ++ ", " ++ show coding) : skyLines sky)
-    develop format crew scene = finishFilm crew programName format coding scene []
+    develop format crew = finishFilm crew programName format coding
     endStatus ending = case ending of
       Complete -> Done
       Incomplete -> Unfinished
@@ -357,11 +371,12 @@ animate options = case (animateStatus options, formatOf (animateOutput options))
 underSky :: Scene -> (Maybe SkyFile -> IO ExitStatus) -> IO ExitStatus
 underSky scene action = loadSky scene >>= either (complain BadInput) action
 
--- | The scene that is asked for, and how its file is to be coded: as the options
+-- | The scene that is asked for, or several whose mean light it is, and how its file
+-- is to be coded: as the options
 -- say, or else as the picture was that the scene is taken from.
-renderedScene :: RenderOptions -> IO (Either [String] (Scene, Coding))
+renderedScene :: RenderOptions -> IO (Either [String] (NonEmpty Scene, Coding))
 renderedScene options = case renderFrom options of
-  Nothing -> fmap (coded asked) <$> loadScene (renderScene options)
+  Nothing -> fmap (coded asked . (:| [])) <$> loadScene (renderScene options)
   Just path -> do
     -- The label comes before the pixels.
     outcome <- try (withBinaryFile path ReadMode (`Bytes.hGet` 0x400000))
@@ -377,12 +392,12 @@ renderedScene options = case renderFrom options of
     asked = renderCoding options
     coded coding scene = (scene, coding)
     fromLabel path label = do
-      scene <- resolveLabel (renderScene options) path (labelScene label)
+      scenes' <- traverse (resolveLabel (renderScene options) path) (splitMoments (labelScene label))
       -- Another format has other bits.
       let before
             | formatOf path == formatOf (renderOutput options) = labelCoding label
             | otherwise = defaultCoding
-      pure (coded (Coding (codingBits asked <|> codingBits before) (codingQuality asked <|> codingQuality before)) scene)
+      pure (coded (Coding (codingBits asked <|> codingBits before) (codingQuality asked <|> codingQuality before)) scenes')
 
 -- | The picture as text on standard output.
 preview :: Maybe SkyImage -> Scene -> Workers -> IO ExitStatus

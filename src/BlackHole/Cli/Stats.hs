@@ -29,9 +29,9 @@ data Stats = Stats
     statsRows :: !(Int, Int),
     -- | Seconds from the beginning of tracing to its end.
     statsTrace :: !Double,
-    -- | Seconds for bloom, development and coding, which run into each other.
-    statsDevelop :: !Double,
-    statsWrite :: !Double,
+    -- | Seconds for bloom, development, coding and writing, which run into each
+    -- other: a file is written while its rows are coded.
+    statsFinish :: !Double,
     -- | Bytes, where the system tells them.
     statsPeakMemory :: !(Maybe Integer),
     -- | Pixels without finite radiance, and the first of them.
@@ -59,7 +59,7 @@ statsText s =
         ("rays", Whole (round (pixels * raysOfPixel))),
         ("rays_estimated", Truth adaptive),
         ("rays_per_second", if statsTrace s > 0 then Number (pixels * raysOfPixel / statsTrace s) else Null),
-        ("seconds", Object [("trace", Number (statsTrace s)), ("develop_and_encode", Number (statsDevelop s)), ("write", Number (statsWrite s))]),
+        ("seconds", Object [("trace", Number (statsTrace s)), ("develop_and_write", Number (statsFinish s))]),
         ("peak_memory_bytes", maybe Null (Whole . fromInteger) (statsPeakMemory s)),
         ("not_finite_pixels", Whole (fst (statsFaults s))),
         ("first_not_finite_pixel", maybe Null (\(x, y) -> List [Whole x, Whole y]) (snd (statsFaults s))),

@@ -7,6 +7,7 @@
 module BlackHole.Image.Exr
   ( ExrPrecision (..),
     encodeExr,
+    writeExr,
     exrLabel,
     halfBits,
   )
@@ -15,12 +16,12 @@ where
 import BlackHole.Image.Bytes
 import BlackHole.Image.Deflate
 import BlackHole.Image.Label
-import BlackHole.Render.Film (Film)
+import BlackHole.Render.Film (Film, filmRows)
 import BlackHole.Render.Layer
 import BlackHole.Render.PixelArray (pixelArrayShape, toPixelVector)
 import BlackHole.Render.PixelShape
 import BlackHole.Render.Shared (mapShared)
-import BlackHole.Render.Workers (Workers)
+import BlackHole.Render.Workers (Workers, workersCount)
 import Data.Bits (complement, shiftL, shiftR, xor, (.&.), (.|.))
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
@@ -30,11 +31,14 @@ import qualified Data.ByteString.Char8 as Characters
 import Data.ByteString.Internal (unsafeCreate)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.ByteString.Unsafe (unsafeIndex)
-import Data.List (sortOn)
+import Data.IORef (modifyIORef', newIORef, readIORef)
+import Data.List (sort, sortOn)
 import qualified Data.Vector.Storable as Vector
 import Data.Word (Word16, Word32, Word8)
 import Foreign.Ptr (Ptr)
 import Foreign.Storable (pokeByteOff)
+import System.IO (Handle, SeekMode (AbsoluteSeek), hSeek)
+import System.Mem (performMajorGC)
 
 -- | How finely light is kept. Layers always have 32 bits.
 data ExrPrecision
@@ -44,51 +48,119 @@ data ExrPrecision
     Single
   deriving (Eq, Show, Enum, Bounded)
 
--- | One plane of numbers: its name, whether it is written in 16 bits, where it
--- begins in an array, and how far its numbers lie apart there. The numbers are
--- seen as their bits.
-data Channel = Channel !String !Bool !Int !Int !(Vector.Vector Word32)
+-- | One plane of numbers: its name, and whether it is written in 16 bits.
+data Channel = Channel !String !Bool
 
 channelName :: Channel -> String
-channelName (Channel name _ _ _ _) = name
+channelName (Channel name _) = name
 
 channelBytes :: Channel -> Int
-channelBytes (Channel _ half _ _ _) = if half then 2 else 4
+channelBytes (Channel _ half) = if half then 2 else 4
+
+-- | A row's numbers of one channel, seen as their bits: whether it is written in 16
+-- bits, where the numbers begin in the array, and how far they lie apart.
+data ChannelRow = ChannelRow !Bool !Int !Int !(Vector.Vector Word32)
 
 -- | A file of a film's light, channels R, G and B, with further layers and the
--- label (attributes @software@ and @comments@). 'Nothing' if a layer is not one channel
--- of the film's size, or names do not differ or are empty or longer than 31
--- characters. Equal bytes for any number of workers.
-encodeExr :: Workers -> ExrPrecision -> Label -> [Layer] -> Film -> IO (Maybe Lazy.ByteString)
+-- label (attributes @software@ and @comments@). 'Nothing' if names of layers do not
+-- differ or are empty or longer than 31 characters. Equal bytes for any number of workers.
+encodeExr :: Workers -> ExrPrecision -> Label -> Layers -> Film -> IO (Maybe Lazy.ByteString)
 encodeExr crew precision label layers film
-  | all fitting layers && distinct (map channelName channels) && all goodName layers = Just <$> encoded
+  | layersFit layers = do
+    blocks <- newIORef []
+    _ <- eachBlock crew precision width height layers (pure . filmRows film) (\bytes -> modifyIORef' blocks (bytes :))
+    contents <- reverse <$> readIORef blocks
+    pure . Just . Builder.toLazyByteString $
+      Builder.byteString header
+        <> offsets (Bytes.length header) (map Bytes.length contents)
+        <> foldMap Builder.byteString contents
   | otherwise = pure Nothing
   where
-    shape = pixelArrayShape film
-    width = shapeWidth shape
-    height = shapeHeight shape
-    fitting layer =
-      let own = pixelArrayShape (layerValues layer)
-       in shapeWidth own == width && shapeHeight own == height && shapeChannels own == 1
-    goodName layer = let size = length (layerName layer) in size > 0 && size < 32 && all (`elem` ['!' .. '~']) (layerName layer)
-    distinct names = and (zipWith (/=) names (drop 1 names))
-    -- The format wants them in the order of their names.
-    channels =
-      sortOn channelName $
-        [Channel name (precision == Half) k 3 light | (name, k) <- zip ["R", "G", "B"] [0 ..]]
-          ++ [Channel (layerName layer) False 0 1 (Vector.unsafeCast (toPixelVector (layerValues layer))) | layer <- layers]
-    light = Vector.unsafeCast (toPixelVector film)
-    encoded = do
-      blocks <- mapShared crew (pure . block width channels) [(row, min height (row + linesPerBlock)) | row <- [0, linesPerBlock .. height - 1]]
-      let header = strict (headerOf label width height channels)
-          starts = scanl (+) (Bytes.length header + 8 * length blocks) (map ((+ 8) . Bytes.length) blocks)
-      pure . Builder.toLazyByteString $
-        Builder.byteString header
-          <> foldMap (Builder.word64LE . fromIntegral) (zipWith const starts blocks)
-          <> mconcat
-            [ Builder.int32LE (fromIntegral row) <> Builder.int32LE (fromIntegral (Bytes.length content)) <> Builder.byteString content
-              | (row, content) <- zip [0 :: Int, linesPerBlock ..] blocks
-            ]
+    header = strict (headerOf label width height (channelsOf precision layers))
+    width = shapeWidth (pixelArrayShape film)
+    height = shapeHeight (pixelArrayShape film)
+
+-- | @writeExr workers precision label (width, height) layers rowsOf handle@: the same
+-- file, of light by bands, to a handle that can seek, some rows at a time. 'Nothing'
+-- where 'encodeExr' has nothing. The action gives 'False', with a file that breaks
+-- off, as soon as a band is missing.
+writeExr :: Workers -> ExrPrecision -> Label -> (Int, Int) -> Layers -> ((Int, Int) -> IO (Maybe Film)) -> Maybe (Handle -> IO Bool)
+writeExr crew precision label (width, height) layers rowsOf
+  | layersFit layers = Just $ \handle -> do
+    sizes <- newIORef []
+    Bytes.hPut handle header
+    -- Where the blocks begin is known when they are written.
+    Lazy.hPut handle (Lazy.replicate (8 * fromIntegral (length (blocksOf height))) 0)
+    complete <- eachBlock crew precision width height layers rowsOf $ \bytes -> do
+      -- Evaluated, or the bytes would be kept for the sake of their number.
+      let !size = Bytes.length bytes
+      modifyIORef' sizes (size :)
+      Bytes.hPut handle bytes
+    written <- reverse <$> readIORef sizes
+    hSeek handle AbsoluteSeek (toInteger (Bytes.length header))
+    Lazy.hPut handle (Builder.toLazyByteString (offsets (Bytes.length header) written))
+    pure complete
+  | otherwise = Nothing
+  where
+    header = strict (headerOf label width height (channelsOf precision layers))
+
+layersFit :: Layers -> Bool
+layersFit layers = and (zipWith (/=) names (drop 1 names)) && all good (layerNames layers)
+  where
+    names = sort (["R", "G", "B"] ++ layerNames layers)
+    good name = let size = length name in size > 0 && size < 32 && all (`elem` ['!' .. '~']) name
+
+-- | The format wants them in the order of their names.
+channelsOf :: ExrPrecision -> Layers -> [Channel]
+channelsOf precision layers =
+  sortOn channelName $
+    [Channel name (precision == Half) | name <- ["R", "G", "B"]] ++ [Channel name False | name <- layerNames layers]
+
+-- | Where blocks of these sizes begin, after a header and this table.
+offsets :: Int -> [Int] -> Builder
+offsets header sizes =
+  foldMap (Builder.word64LE . fromIntegral) (zipWith const (scanl (+) (header + 8 * length sizes) sizes) sizes)
+
+-- | First rows of the blocks and the rows after their last ones.
+blocksOf :: Int -> [(Int, Int)]
+blocksOf height = [(row, min height (row + linesPerBlock)) | row <- [0, linesPerBlock .. height - 1]]
+
+-- | Hand all blocks over, in order, with their row and size before them.
+eachBlock :: Workers -> ExrPrecision -> Int -> Int -> Layers -> ((Int, Int) -> IO (Maybe Film)) -> (ByteString -> IO ()) -> IO Bool
+eachBlock crew precision width height layers rowsOf put = go (blocksOf height)
+  where
+    go blocks = case splitAt (4 * workersCount crew) blocks of
+      ([], _) -> pure True
+      (group, rest) -> do
+        let first = minimum (map fst group)
+            count = maximum (map snd group) - first
+        band <- rowsOf (first, count)
+        case band of
+          Just film | (shapeWidth (pixelArrayShape film), shapeHeight (pixelArrayShape film), shapeChannels (pixelArrayShape film)) == (width, count, 3) -> do
+            done <- mapShared crew (coded first film) group
+            mapM_ put done
+            -- Large and of no use any more, but few: the collector would not
+            -- notice them in time.
+            performMajorGC
+            go rest
+          _ -> pure False
+    coded first film (from, to) = do
+      rows <- mapM (rowChannels first film) [from .. to - 1]
+      let content = block width rows
+      pure (strict (Builder.int32LE (fromIntegral from) <> Builder.int32LE (fromIntegral (Bytes.length content))) <> content)
+    -- A row's channels in the order of their names.
+    rowChannels first film row = do
+      further <- layerRow layers row
+      let light = Vector.unsafeCast (toPixelVector film)
+          named =
+            [(name, ChannelRow (precision == Half) (3 * width * (row - first) + k) 3 light) | (name, k) <- zip ["R", "G", "B"] [0 ..]]
+              ++ [(name, ChannelRow False 0 1 (Vector.unsafeCast (fitted values))) | (name, values) <- zip (layerNames layers) (further ++ repeat Vector.empty)]
+      pure (map snd (sortOn fst named))
+    -- What a layer lacks of a row is not known.
+    fitted :: Vector.Vector Float -> Vector.Vector Float
+    fitted values
+      | Vector.length values >= width = values
+      | otherwise = values <> Vector.replicate (width - Vector.length values) (0 / 0)
 
 linesPerBlock :: Int
 linesPerBlock = 16
@@ -148,25 +220,22 @@ exrLabel bytes = Bytes.stripPrefix magic bytes >>= go
 -- | Some lines, channel by channel, compressed: bytes split into even and odd
 -- ones, replaced by their differences, as a zlib stream; or as they are if that
 -- is no shorter.
-block :: Int -> [Channel] -> (Int, Int) -> ByteString
-block width channels (from, to)
+block :: Int -> [[ChannelRow]] -> ByteString
+block width rows
   | Bytes.length compressed < Bytes.length raw = compressed
   | otherwise = raw
   where
-    raw = unsafeCreate (sum (map (\c -> width * channelBytes c) channels) * (to - from)) (\out -> writeLines out 0 from)
+    raw = unsafeCreate (sum (map rowBytes (concat rows))) (\out -> writeRows out 0 (concat rows))
     compressed = zlibStream (differences (evenOdd raw))
-    writeLines :: Ptr Word8 -> Int -> Int -> IO ()
-    writeLines out !at !row
-      | row >= to = pure ()
-      | otherwise = writeChannels out at row channels
-    writeChannels out !at !row [] = writeLines out at (row + 1)
-    writeChannels out !at !row (channel : rest) = do
-      writeRow out at channel row
-      writeChannels out (at + width * channelBytes channel) row rest
-    writeRow :: Ptr Word8 -> Int -> Channel -> Int -> IO ()
-    writeRow out !at (Channel _ half start stride numbers) row = go 0
+    rowBytes (ChannelRow half _ _ _) = if half then 2 * width else 4 * width
+    writeRows :: Ptr Word8 -> Int -> [ChannelRow] -> IO ()
+    writeRows _ !_ [] = pure ()
+    writeRows out !at (row : rest) = do
+      writeRow out at row
+      writeRows out (at + rowBytes row) rest
+    writeRow :: Ptr Word8 -> Int -> ChannelRow -> IO ()
+    writeRow out !at (ChannelRow half first stride numbers) = go 0
       where
-        !first = start + stride * width * row
         go !x
           | x >= width = pure ()
           | half = do

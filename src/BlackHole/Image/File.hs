@@ -38,7 +38,7 @@ data Development = Development
 -- layers go into OpenEXR alone. 'Nothing' where the format has no room for such
 -- a picture, or the layers do not fit ('encodeExr'). The bytes are the same for
 -- any number of workers.
-encodeFile :: Workers -> Format -> Label -> Development -> [Layer] -> Film -> IO (Maybe Lazy.ByteString)
+encodeFile :: Workers -> Format -> Label -> Development -> Layers -> Film -> IO (Maybe Lazy.ByteString)
 encodeFile crew format label (Development exposure tone dither) layers film = case (format, bits) of
   (Png, 16) -> Just <$> (fine >>= encodePng crew label . Codes16)
   (Png, _) -> Just <$> (coarse >>= encodePng crew label . Codes8)

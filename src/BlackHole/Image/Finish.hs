@@ -8,55 +8,109 @@ where
 
 import BlackHole.Image.Bytes (strict)
 import BlackHole.Image.Coding
+import BlackHole.Image.Exr
 import BlackHole.Image.File
+import BlackHole.Image.Hdr
 import BlackHole.Image.Label
+import BlackHole.Image.Moments
 import BlackHole.Image.Png
+import BlackHole.Image.Tiff
 import BlackHole.Render.Bloom
 import BlackHole.Render.Film
 import BlackHole.Render.Layer
-import BlackHole.Render.PixelShape (pixelShape)
-import BlackHole.Render.Workers (Workers)
+import BlackHole.Render.PixelShape (PixelShape, pixelShape)
+import BlackHole.Render.Workers (Workers, workersCount)
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.File.SceneFile (printScene)
 import BlackHole.Scene.Scene
-import Control.Monad (unless, when)
+import Control.Monad (unless, (>=>))
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Lazy as Lazy
-import System.IO (Handle)
-import System.Mem (performMajorGC)
+import Data.List.NonEmpty (NonEmpty (..))
+import Data.Maybe (fromMaybe)
+import Data.Vector.Storable (Vector)
+import System.IO (Handle, hIsSeekable)
 
--- | @finishFilm workers software format coding scene layers film@: bloom, and then
--- what 'encodeFile' does, with the program's name and version and the scene as the
--- label. The bytes are the same for any number of workers.
-finishFilm :: Workers -> String -> Format -> Coding -> Scene -> [Layer] -> Film -> IO (Maybe Lazy.ByteString)
-finishFilm crew software format coding scene layers film = do
-  bloomed <- bloomFilm crew (sceneBloom scene) film
-  -- The film before bloom is the largest thing there is, and of no use any more.
-  when (sceneBloom scene > 0) performMajorGC
-  encodeFile crew format (pictureLabel software coding scene) development layers bloomed
-  where
-    development = Development (sceneExposure scene) (sceneToneMap scene) (sceneDither scene)
+-- | @finishFilm workers software format coding scenes exposed@: bloom, and then
+-- what 'encodeFile' does, with the program's name and version and the scenes whose
+-- mean light it is as the label, and with the first one's layers. The bytes are the
+-- same for any number of workers.
+finishFilm :: Workers -> String -> Format -> Coding -> NonEmpty Scene -> Exposed -> IO (Maybe Lazy.ByteString)
+finishFilm crew software format coding scenes@(scene :| _) exposed = do
+  bloomed <- bloomFilm crew (sceneBloom scene) (exposedLight exposed)
+  encodeFile crew format (pictureLabel software coding scenes) (developmentOf scene) (layersFor format scene (pure . countsRow scene exposed)) bloomed
 
--- | What 'finishFilm' does for a picture that need not be in memory as a whole:
--- @rowsOf (first, count)@ gives bands of its light, and the action writes the file, the
--- same bytes. It throws a user error when a band is missing. 'Nothing' where the
--- format, or bloom, takes all of the picture at once.
-finishBands :: Workers -> String -> Format -> Coding -> Scene -> ((Int, Int) -> IO (Maybe Film)) -> Maybe (Handle -> IO ())
-finishBands crew software format coding scene rowsOf = case (format, pixelShape width height 3) of
-  (Png, Just shape) | sceneBloom scene == 0 -> Just $ \handle -> do
-    complete <- encodePngBands crew (pictureLabel software coding scene) shape (bits `quot` 8) codes (Bytes.hPut handle)
+developmentOf :: Scene -> Development
+developmentOf scene = Development (sceneExposure scene) (sceneToneMap scene) (sceneDither scene)
+
+layersFor :: Format -> Scene -> (Int -> IO (Vector Float)) -> Layers
+layersFor format scene counts
+  | format == Exr = fromMaybe noLayers (sceneLayers scene counts)
+  | otherwise = noLayers
+
+-- | What 'finishFilm' does for a picture that need not be in memory as a whole, nor
+-- its file's bytes: @rowsOf (first, count)@ gives bands of its light, the next argument
+-- the numbers of samples of a row, and the action writes the file, the
+-- same bytes. It throws a user error when a band is missing. With bloom, a quarter
+-- of the picture's light stays in memory; JPEG takes all of it. 'Nothing' where the
+-- format has no room for such a picture.
+finishBands :: Workers -> String -> Format -> Coding -> NonEmpty Scene -> FilmBands -> (Int -> IO (Vector Float)) -> Maybe (Handle -> IO ())
+finishBands crew software format coding scenes@(scene :| _) sharpRows countsOf = do
+  shape <- pixelShape width height 3
+  write <- written shape
+  Just $ \handle -> do
+    bands <- bloomBands crew (sceneBloom scene) shape sharpRows
+    complete <- maybe (pure False) (write handle) bands
     unless complete $ ioError (userError "a part of the picture's light cannot be read any more")
-  _ -> Nothing
   where
     Picture width height = scenePicture scene
     bits = codingBitsOf format coding
-    codes range = rowsOf range >>= traverse (developed (fst range))
+    label = pictureLabel software coding scenes
+    layers = layersFor format scene countsOf
+    written :: PixelShape -> Maybe (Handle -> FilmBands -> IO Bool)
+    written shape = case format of
+      Png -> Just (\handle rowsOf -> encodePngBands crew label shape (bits `quot` 8) (codes rowsOf) (Bytes.hPut handle))
+      Tiff -> do
+        header <- tiffHeader label bits (width, height)
+        Just $ \handle rowsOf -> do
+          Builder.hPutBuilder handle header
+          banded rowsOf $ \film -> do
+            numbers <- if bits == 32 then pure (TiffLight film) else TiffCodes <$> finely film
+            Builder.hPutBuilder handle (tiffRows numbers)
+      Hdr -> Just $ \handle rowsOf -> do
+        Bytes.hPut handle (hdrHeader label (width, height))
+        banded rowsOf (hdrRows crew >=> mapM_ (Bytes.hPut handle))
+      Exr -> Just $ \handle rowsOf -> do
+        let precision = if bits == 32 then Single else Half
+        canSeek <- hIsSeekable handle
+        if canSeek
+          then maybe (pure False) (\write -> write handle) (writeExr crew precision label (width, height) layers rowsOf)
+          else whole handle rowsOf
+      Jpeg
+        | width > 65535 || height > 65535 -> Nothing
+        | otherwise -> Just whole
+    -- All that the format, or a pipe, leaves to do.
+    whole handle rowsOf = do
+      film <- rowsOf (0, height)
+      bytes <- maybe (pure Nothing) (encodeFile crew format label (developmentOf scene) layers) film
+      maybe (pure False) (\b -> True <$ Lazy.hPut handle b) bytes
+    -- Enough rows to keep all workers busy.
+    banded rowsOf act = go 0
+      where
+        go first
+          | first >= height = pure True
+          | otherwise = do
+            let count = min (16 * workersCount crew) (height - first)
+            band <- rowsOf (first, count)
+            maybe (pure False) (\film -> act film >> go (first + count)) band
+    codes rowsOf range = rowsOf range >>= traverse (developed (fst range))
     developed first film
-      | bits == 16 = Codes16 <$> developFilmFinely crew (sceneExposure scene) (sceneToneMap scene) film
+      | bits == 16 = Codes16 <$> finely film
       | otherwise = Codes8 <$> developRows first crew (sceneExposure scene) (sceneToneMap scene) (sceneDither scene) film
+    finely = developFilmFinely crew (sceneExposure scene) (sceneToneMap scene)
 
--- | What a picture of a scene says of itself.
-pictureLabel :: String -> Coding -> Scene -> Label
-pictureLabel software coding scene =
-  Label software coding (strict (Builder.stringUtf8 (printScene [] scene)))
+-- | What a picture of some scenes says of itself.
+pictureLabel :: String -> Coding -> NonEmpty Scene -> Label
+pictureLabel software coding scenes =
+  Label software coding (joinMoments (fmap (strict . Builder.stringUtf8 . printScene []) scenes))

@@ -4,6 +4,8 @@
 -- exponent, within 1 in 256 of the strongest primary (Ward, "Real Pixels", 1991).
 module BlackHole.Image.Hdr
   ( encodeHdr,
+    hdrHeader,
+    hdrRows,
     hdrLabel,
   )
 where
@@ -33,16 +35,25 @@ import Foreign.Storable (pokeByteOff)
 -- the format can (8 to 32767 pixels). Equal bytes for any number of workers.
 encodeHdr :: Workers -> Label -> Film -> IO Lazy.ByteString
 encodeHdr crew label film = do
-  rows <- mapShared crew (pure . codedRow) (mapMaybe (pixelRow film) [0 .. height - 1])
-  pure (Lazy.fromChunks (Characters.pack header : rows))
+  rows <- hdrRows crew film
+  pure (Lazy.fromChunks (hdrHeader label (shapeWidth shape, shapeHeight shape) : rows))
   where
-    width = shapeWidth (pixelArrayShape film)
-    height = shapeHeight (pixelArrayShape film)
-    header =
-      unlines $
-        ["#?RADIANCE", "SOFTWARE=" ++ labelSoftware label]
-          ++ map ((commentMark ++) . Characters.unpack) (Characters.lines (labelText label))
-          ++ ["FORMAT=32-bit_rle_rgbe", "", "-Y " ++ show height ++ " +X " ++ show width]
+    shape = pixelArrayShape film
+
+-- | The file's lines before the rows of a picture of this width and height.
+hdrHeader :: Label -> (Int, Int) -> ByteString
+hdrHeader label (width, height) =
+  Characters.pack . unlines $
+    ["#?RADIANCE", "SOFTWARE=" ++ labelSoftware label]
+      ++ map ((commentMark ++) . Characters.unpack) (Characters.lines (labelText label))
+      ++ ["FORMAT=32-bit_rle_rgbe", "", "-Y " ++ show height ++ " +X " ++ show width]
+
+-- | The rows of a band, coded, one after the other.
+hdrRows :: Workers -> Film -> IO [ByteString]
+hdrRows crew film = mapShared crew (pure . codedRow) (mapMaybe (pixelRow film) [0 .. shapeHeight shape - 1])
+  where
+    shape = pixelArrayShape film
+    width = shapeWidth shape
     codedRow light
       | width < 8 || width > 32767 = interleaved
       | otherwise =

@@ -8,6 +8,8 @@
 module BlackHole.Image.Tiff
   ( TiffPixels (..),
     encodeTiff,
+    tiffHeader,
+    tiffRows,
     tiffLabel,
   )
 where
@@ -42,34 +44,47 @@ data TiffPixels
 -- of 4 GiB and more do not fit into the format: 'Nothing'. The rows are written
 -- as they are consumed.
 encodeTiff :: Label -> TiffPixels -> Maybe Lazy.ByteString
-encodeTiff label pixels
-  | dataSize > 0xf0000000 = Nothing
+encodeTiff label pixels =
+  (\header -> Builder.toLazyByteString (header <> tiffRows pixels)) <$> tiffHeader label bits (shapeWidth shape, shapeHeight shape)
+  where
+    (shape, bits) = case pixels of
+      TiffCodes codes -> (pixelArrayShape codes, 16)
+      TiffLight film -> (pixelArrayShape film, 32)
+
+-- | The numbers' bytes of a band.
+tiffRows :: TiffPixels -> Builder
+tiffRows pixels = case pixels of
+  TiffCodes codes -> littleEndianRows 2 (pixelArrayShape codes) (toPixelVector codes)
+  TiffLight film -> littleEndianRows 4 (pixelArrayShape film) (Vector.unsafeCast (toPixelVector film) :: Vector.Vector Word32)
+
+-- | @tiffHeader label bits (width, height)@: everything before the numbers, of 16
+-- bits (codes) or 32 (floating point).
+tiffHeader :: Label -> Int -> (Int, Int) -> Maybe Builder
+tiffHeader label bits (width, height)
+  | toInteger width * toInteger height * 3 * toInteger (bits `quot` 8) > 0xf0000000 = Nothing
   | otherwise =
-    Just . Builder.toLazyByteString $
+    Just $
       Builder.string7 "II" <> Builder.word16LE 42 <> Builder.word32LE 8
         <> Builder.word16LE (fromIntegral (length entries))
         <> mconcat [Builder.word16LE tag <> Builder.word16LE kind <> Builder.word32LE count <> value | (tag, kind, count, value) <- placed]
         <> Builder.word32LE 0
         <> Builder.byteString (Bytes.concat [content | (_, _, _, content) <- entries, Bytes.length content > 4])
-        <> rows
   where
-    (shape, bits, sampleFormat, rows) = case pixels of
-      TiffCodes codes -> (pixelArrayShape codes, 16, 1, littleEndianRows 2 (pixelArrayShape codes) (toPixelVector codes))
-      TiffLight film -> (pixelArrayShape film, 32, 3, littleEndianRows 4 (pixelArrayShape film) (Vector.unsafeCast (toPixelVector film) :: Vector.Vector Word32))
-    dataSize = shapeLength shape * (bits `quot` 8)
+    sampleFormat = if bits == 32 then 3 else 1
+    dataSize = width * height * 3 * (bits `quot` 8)
     -- In the order of tags.
     entries =
       sortOn
         (\(tag, _, _, _) -> tag)
-        [ long 256 (shapeWidth shape),
-          long 257 (shapeHeight shape),
+        [ long 256 width,
+          long 257 height,
           shorts 258 (replicate 3 bits),
           shorts 259 [1],
           shorts 262 [2],
           ascii 270 (labelText label),
           long 273 dataStart,
           shorts 277 [3],
-          long 278 (shapeHeight shape),
+          long 278 height,
           long 279 dataSize,
           ratio 282 72,
           ratio 283 72,

@@ -3,7 +3,8 @@
 -- A tile file holds the linear light of some rows as 32-bit floating-point
 -- numbers (least significant byte first), after a few lines of text that say
 -- which rows of which scene they are, and before the SHA-256 of everything up to
--- there. Equal scenes have equal texts, so that files of different pictures can
+-- there. Where pixels may have got different numbers of samples, these numbers
+-- follow the light in the same way. Equal scenes have equal texts, so that files of different pictures can
 -- be told apart.
 module BlackHole.Image.TileFile
   ( TileHeader (..),
@@ -16,11 +17,12 @@ module BlackHole.Image.TileFile
     tileIntact,
     readTileRows,
     readPictureRows,
+    readCountsRow,
     joinFaults,
   )
 where
 
-import BlackHole.Render.Film (Film)
+import BlackHole.Render.Film (Film, SampleCounts)
 import BlackHole.Render.PixelArray (fromPixelVector, pixelArrayShape, toPixelVector)
 import BlackHole.Render.PixelShape (pixelShape, shapeHeight, shapeWidth)
 import BlackHole.Render.Shard
@@ -32,7 +34,7 @@ import qualified Data.ByteString.Char8 as Char8
 import qualified Data.ByteString.Lazy as Lazy
 import Data.ByteString.Unsafe (unsafeIndex)
 import Data.List (intercalate, sort, sortOn)
-import Data.Maybe (listToMaybe)
+import Data.Maybe (isJust, listToMaybe)
 import qualified Data.Vector.Storable as Vector
 import Data.Word (Word32)
 import GHC.Float (castWord32ToFloat)
@@ -54,26 +56,28 @@ data TileHeader = TileHeader
 tileRows :: TileHeader -> (Int, Int)
 tileRows header = shardRows (tileShard header) (snd (tilePicture header))
 
--- | The bytes of a tile file; 'Nothing' if the film has another size than the
--- header's rows.
-encodeTile :: TileHeader -> Film -> Maybe Lazy.ByteString
-encodeTile header film
-  | (shapeWidth shape, shapeHeight shape) == (fst (tilePicture header), snd (tileRows header)) =
+-- | The bytes of a tile file, of the samples' numbers if they are not all the same,
+-- and the light; 'Nothing' if either has another size than the header's rows.
+encodeTile :: TileHeader -> Maybe SampleCounts -> Film -> Maybe Lazy.ByteString
+encodeTile header counts film
+  | all ((== size) . sizeOf . pixelArrayShape) counts && sizeOf shape == size =
     Just (content <> Lazy.fromStrict (SHA256.hashlazy content))
   | otherwise = Nothing
   where
     shape = pixelArrayShape film
+    sizeOf s = (shapeWidth s, shapeHeight s)
+    size = (fst (tilePicture header), snd (tileRows header))
     content =
       Builder.toLazyByteString $
-        Builder.byteString (renderHeader header)
-          <> Vector.foldr (\light rest -> Builder.floatLE light <> rest) mempty (toPixelVector film)
+        Builder.byteString (renderHeader header (isJust counts)) <> floats film <> foldMap floats counts
+    floats = Vector.foldr (\light rest -> Builder.floatLE light <> rest) mempty . toPixelVector
 
-renderHeader :: TileHeader -> Bytes.ByteString
-renderHeader (TileHeader shard (width, height) scene) =
-  Char8.pack (unlines [magic, "tile " ++ renderShard shard, "picture " ++ show width ++ " " ++ show height, "scene " ++ show (Bytes.length scene)]) <> scene
+renderHeader :: TileHeader -> Bool -> Bytes.ByteString
+renderHeader (TileHeader shard (width, height) scene) counted =
+  Char8.pack (unlines [magic, "tile " ++ renderShard shard, "picture " ++ show width ++ " " ++ show height, "counts " ++ (if counted then "yes" else "no"), "scene " ++ show (Bytes.length scene)]) <> scene
 
 magic :: String
-magic = "blackhole tile 1"
+magic = "blackhole tile 2"
 
 -- | A tile file that has been looked at, and where its light begins.
 data TileFile = TileFile
@@ -81,7 +85,9 @@ data TileFile = TileFile
     tileFilePath :: !FilePath,
     -- | What it says of itself.
     tileFileHeader :: !TileHeader,
-    tileFileStart :: !Integer
+    tileFileStart :: !Integer,
+    -- | Whether it holds the samples' numbers.
+    tileFileCounted :: !Bool
   }
 
 -- | Look at a file. On the left, why it is no complete tile. Throws what the
@@ -92,22 +98,23 @@ openTile path = withBinaryFile path ReadMode $ \handle -> do
   size <- hFileSize handle
   case splitHeader start of
     Nothing -> pure (Left "not a tile file")
-    Just (shard, picture, skipped, textLength) -> do
+    Just (shard, picture, counted, skipped, textLength) -> do
       hSeek handle AbsoluteSeek (toInteger skipped)
       text <- Bytes.hGet handle textLength
       let header = TileHeader shard picture text
           begin = toInteger (skipped + textLength)
-          wanted = begin + 12 * toInteger (fst picture) * toInteger (snd (tileRows header)) + 32
+          wanted = begin + (if counted then 16 else 12) * toInteger (fst picture) * toInteger (snd (tileRows header)) + 32
       pure $
         if size == wanted
-          then Right (TileFile path header begin)
+          then Right (TileFile path header begin counted)
           else Left ("incomplete: " ++ show size ++ " bytes instead of " ++ show wanted)
   where
     splitHeader bytes = case Char8.lines bytes of
-      m : t : p : s : _
+      m : t : p : c : s : _
         | m == Char8.pack magic,
           ["tile", shard] <- words (Char8.unpack t),
           ["picture", width, height] <- words (Char8.unpack p),
+          Just counted <- lookup (Char8.unpack c) [("counts yes", True), ("counts no", False)],
           ["scene", size] <- words (Char8.unpack s) -> do
           part <- parseShard shard
           w <- readMaybe width
@@ -115,7 +122,7 @@ openTile path = withBinaryFile path ReadMode $ \handle -> do
           n <- readMaybe size
           if w < 1 || h < 1 || w > 10000000 || h > 10000000 || n < 0 || n > 10000000
             then Nothing
-            else Just (part, (w, h), sum (map ((+ 1) . Bytes.length) [m, t, p, s]), n)
+            else Just (part, (w, h), counted, sum (map ((+ 1) . Bytes.length) [m, t, p, c, s]), n)
       _ -> Nothing
 
 -- | Whether the file's bytes are those that were written. Reads all of it, in
@@ -141,21 +148,38 @@ tileIntact tile = withBinaryFile (tileFilePath tile) ReadMode $ \handle -> do
 readTileRows :: TileFile -> (Int, Int) -> IO (Maybe Film)
 readTileRows tile (first, rows)
   | first < 0 || rows < 1 || first + rows > snd (tileRows header) = pure Nothing
-  | otherwise = withBinaryFile (tileFilePath tile) ReadMode $ \handle -> do
-    hSeek handle AbsoluteSeek (tileFileStart tile + 12 * toInteger width * toInteger first)
-    bytes <- Bytes.hGet handle (12 * width * rows)
-    pure $
-      if Bytes.length bytes < 12 * width * rows
-        then Nothing
-        else do
-          shape <- pixelShape width rows 3
-          fromPixelVector shape (Vector.generate (3 * width * rows) (floatAt bytes))
+  | otherwise = do
+    light <- readFloats tile (12 * toInteger width * toInteger first) (3 * width * rows)
+    pure $ do
+      shape <- pixelShape width rows 3
+      light >>= fromPixelVector shape
   where
     header = tileFileHeader tile
     (width, _) = tilePicture header
+
+-- | So many numbers from a place behind the header on.
+readFloats :: TileFile -> Integer -> Int -> IO (Maybe (Vector.Vector Float))
+readFloats tile place count = withBinaryFile (tileFilePath tile) ReadMode $ \handle -> do
+  hSeek handle AbsoluteSeek (tileFileStart tile + place)
+  bytes <- Bytes.hGet handle (4 * count)
+  pure (if Bytes.length bytes < 4 * count then Nothing else Just (Vector.generate count (floatAt bytes)))
+  where
     floatAt bytes i = castWord32ToFloat (at 0 .|. at 1 `shiftL` 8 .|. at 2 `shiftL` 16 .|. at 3 `shiftL` 24)
       where
         at k = fromIntegral (unsafeIndex bytes (4 * i + k)) :: Word32
+
+-- | How many samples the pixels of a row of the picture got, out of the tile that
+-- holds it. 'Nothing' where no tile does or it does not say so.
+readCountsRow :: [TileFile] -> Int -> IO (Maybe (Vector.Vector Float))
+readCountsRow tiles row = case filter holds tiles of
+  tile : _
+    | tileFileCounted tile ->
+      let (from, rows) = tileRows (tileFileHeader tile)
+          width = fst (tilePicture (tileFileHeader tile))
+       in readFloats tile (toInteger width * (12 * toInteger rows + 4 * toInteger (row - from))) width
+  _ -> pure Nothing
+  where
+    holds tile = let (from, rows) = tileRows (tileFileHeader tile) in row >= from && row < from + rows
 
 -- | Some rows of the whole picture, from which and how many, out of the tiles
 -- that hold them, which must be without faults ('joinFaults'). 'Nothing' if the

@@ -13,19 +13,29 @@
 -- nearest coarser ones; going up, each pixel takes from the same four in the same
 -- proportions. These are transposes of each other, so no light is lost or made, at the
 -- picture's edges neither, and a uniform picture stays as it is.
-module BlackHole.Render.Bloom (bloomFilm) where
+module BlackHole.Render.Bloom
+  ( bloomFilm,
+    FilmBands,
+    bloomBands,
+  )
+where
 
-import BlackHole.Render.Film (Film)
+import BlackHole.Render.Film (Film, filmRows)
 import BlackHole.Render.PixelArray
 import BlackHole.Render.PixelRows (mapRows)
 import BlackHole.Render.PixelShape
 import BlackHole.Render.Workers (Workers)
 import Control.Monad.ST (ST)
+import Data.Maybe (fromMaybe)
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as Vector
 import Data.Vector.Storable.Mutable (MVector)
 import qualified Data.Vector.Storable.Mutable as MVector
 import System.Mem (performMajorGC)
+
+-- | Bands of a film that need not be in memory as a whole: of some rows, from
+-- which and how many, the light. 'Nothing' for rows that are not to be had.
+type FilmBands = (Int, Int) -> IO (Maybe Film)
 
 -- | @bloomFilm workers strength film@: the film with this part of its light, 0 to
 -- 1, scattered. With 0 it is the film itself. Pixels without a finite radiance
@@ -34,19 +44,38 @@ import System.Mem (performMajorGC)
 bloomFilm :: Workers -> Double -> Film -> IO Film
 bloomFilm crew strength film
   | strength > 0 = do
-    -- A NaN would spread over the whole picture.
-    finite <- if Vector.all isFinite light then pure film else mapRows crew (const clean) film
-    glare <- gathered 1 (Axis (Vector.replicate width 1)) (Axis (Vector.replicate height 1)) finite
-    -- The finer levels' energies are large and of no use any more, but few: the
-    -- collector would not notice them in time.
-    performMajorGC
-    generateRows crew ignore shape (blend glare)
+    bands <- bloomBands crew strength shape (pure . filmRows film)
+    bloomed <- maybe (pure Nothing) ($ (0, shapeHeight shape)) bands
+    -- A film in memory has all its rows.
+    pure (fromMaybe film bloomed)
   | otherwise = pure film
   where
     shape = pixelArrayShape film
+
+-- | The same for a film of this shape by bands: those of the film with bloom, for
+-- which each row is asked for once now, and once more when it is wanted. Keeps a
+-- quarter of the film's size in memory, and half of it for a moment.
+bloomBands :: Workers -> Double -> PixelShape -> FilmBands -> IO (Maybe FilmBands)
+bloomBands crew strength shape rowsOf
+  | strength > 0 = do
+    energy <- finestEnergy
+    case energy of
+      Nothing -> pure Nothing
+      Just light -> do
+        glare <- glareOf 1 (coarserAxis (Axis (Vector.replicate width 1))) (coarserAxis (Axis (Vector.replicate height 1))) light
+        -- The finer levels' energies are large and of no use any more, but few:
+        -- the collector would not notice them in time.
+        performMajorGC
+        pure (Just (\(first, rows) -> rowsOf (first, rows) >>= traverse (mapRows crew (blend glare . (first +)))))
+  | otherwise = pure (Just rowsOf)
+  where
     width = shapeWidth shape
     height = shapeHeight shape
     ignore = const (pure ())
+    -- A NaN would spread over the whole picture.
+    cleaned band
+      | Vector.all isFinite (toPixelVector band) = pure band
+      | otherwise = mapRows crew (const clean) band
     clean old new = Vector.imapM_ (\i v -> MVector.unsafeWrite new i (if isFinite v then v else 0)) old
     scattered = realToFrac (min 1 strength) :: Float
     -- The finest level is half the film's size: the scattered part of a film of
@@ -54,33 +83,46 @@ bloomFilm crew strength film
     depth = max 1 (ceilingLog2 (max width height) - 1)
     shares = glareShares width depth
     !sent = Vector.sum shares
-    -- The glare of one level and all coarser ones, on this level.
-    gathered :: Int -> Axis -> Axis -> PixelArray Float -> IO (PixelArray Float)
-    gathered level across down finer = do
+    -- The finest level's energy, from bands of the film.
+    finestEnergy = do
+      bands <- sequence <$> mapM energyOf [(from, min 64 (halved height - from)) | from <- [0, 64 .. halved height - 1]]
+      pure $ do
+        parts <- bands
+        finest <- pixelShape (halved width) (halved height) 3
+        fromPixelVector finest (Vector.concat (map toPixelVector parts))
+    energyOf (from, rows) = do
+      let first = max 0 (2 * from - 1)
+          end = min height (2 * (from + rows) + 1)
+      band <- rowsOf (first, end - first)
+      case (,) <$> band <*> pixelShape (halved width) rows 3 of
+        Nothing -> pure Nothing
+        Just (light, smaller) -> do
+          finite <- cleaned light
+          Just <$> generateRows crew ignore smaller (shrinkRow height first finite . (from +))
+    -- The glare of one level and all coarser ones, on this level, from its energy.
+    glareOf :: Int -> Axis -> Axis -> PixelArray Float -> IO (PixelArray Float)
+    glareOf level across down energy = do
       let across' = coarserAxis across
           down' = coarserAxis down
-      energy <- shrunk finer (axisSize across') (axisSize down')
       coarser <-
         if level < depth
-          then Just <$> gathered (level + 1) across' down' energy
+          then Just <$> (shrunk energy >>= glareOf (level + 1) across' down')
           else pure Nothing
       generateRows crew ignore (pixelArrayShape energy) $ \y row ->
-        levelRow (shares Vector.! (level - 1)) across' down' energy coarser y row
+        levelRow (shares Vector.! (level - 1)) across down energy coarser y row
     -- Light, summed and not averaged, at half the size.
-    shrunk finer newWidth newHeight = case pixelShape newWidth newHeight 3 of
-      Nothing -> pure finer
-      Just smaller -> generateRows crew ignore smaller (shrinkRow finer)
-    blend :: PixelArray Float -> Int -> MVector s Float -> ST s ()
-    blend glare y row = enlargeRow glare width height y $ \i v ->
-      let own = Vector.unsafeIndex light (y * shapeRowLength shape + i)
+    shrunk finer =
+      let size = pixelArrayShape finer
+       in case pixelShape (halved (shapeWidth size)) (halved (shapeHeight size)) 3 of
+            Nothing -> pure finer
+            Just smaller -> generateRows crew ignore smaller (shrinkRow (shapeHeight size) 0 finer)
+    blend :: PixelArray Float -> Int -> Vector Float -> MVector s Float -> ST s ()
+    blend glare y light row = enlargeRow glare width height y $ \i v ->
+      let own = Vector.unsafeIndex light i
        in MVector.unsafeWrite row i (own + scattered * (v - (if isFinite own then sent * own else 0)))
-    light = toPixelVector film
 
 -- | For each place along a side, how many of the finest pixels it stands for.
 newtype Axis = Axis (Vector Float)
-
-axisSize :: Axis -> Int
-axisSize (Axis weights) = Vector.length weights
 
 coarserAxis :: Axis -> Axis
 coarserAxis (Axis weights) = Axis (Vector.generate (halved size) total)
@@ -109,23 +151,23 @@ source :: Int -> Int -> Int -> Int
 source size t j = max 0 (min (size - 1) (2 * j - 1 + t))
 {-# INLINE source #-}
 
--- | A row of the coarser level from four of the finer.
-shrinkRow :: PixelArray Float -> Int -> MVector s Float -> ST s ()
-shrinkRow finer y row = go 0
+-- | A row of the coarser level from four of the finer, of which there are so many in
+-- all; the array holds those from a first one on.
+shrinkRow :: Int -> Int -> PixelArray Float -> Int -> MVector s Float -> ST s ()
+shrinkRow !height !first finer y row = go 0
   where
     shape = pixelArrayShape finer
     !width = shapeWidth shape
-    !height = shapeHeight shape
     !newWidth = halved width
     !light = toPixelVector finer
     !part0 = share height 0 y
     !part1 = share height 1 y
     !part2 = share height 2 y
     !part3 = share height 3 y
-    !line0 = 3 * width * source height 0 y
-    !line1 = 3 * width * source height 1 y
-    !line2 = 3 * width * source height 2 y
-    !line3 = 3 * width * source height 3 y
+    !line0 = 3 * width * (source height 0 y - first)
+    !line1 = 3 * width * (source height 1 y - first)
+    !line2 = 3 * width * (source height 2 y - first)
+    !line3 = 3 * width * (source height 3 y - first)
     go !x
       | x >= newWidth = pure ()
       | x > 0 && 2 * x + 3 < width = channels x inner (3 * (2 * x - 1)) >> go (x + 1)

@@ -7,6 +7,11 @@ module BlackHole.Render.Film
     exposeFilmUnder,
     exposeRows,
     exposeRowsUnder,
+    Exposed (..),
+    SampleCounts,
+    exposeCounted,
+    countsRow,
+    filmRows,
     developFilm,
     developRows,
     developFilmFinely,
@@ -31,6 +36,7 @@ import BlackHole.Trace.Pixel
 import BlackHole.Trace.SkyImage (SkyImage)
 import Control.Monad (when)
 import Control.Monad.ST (ST)
+import Data.Maybe (fromMaybe)
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as Vector
 import Data.Vector.Storable.Mutable (MVector)
@@ -60,7 +66,40 @@ exposeRows = exposeRowsUnder Nothing
 
 -- | The same with the picture of the sky if the scene's is a panorama.
 exposeRowsUnder :: Maybe SkyImage -> Workers -> (Int -> IO ()) -> Scene -> (Int, Int) -> IO (Maybe Film)
-exposeRowsUnder picture crew progress scene (first, rows)
+exposeRowsUnder picture crew progress scene band = fmap exposedLight <$> exposeCounted picture crew progress scene band
+
+-- | How many samples each pixel got, in one channel.
+type SampleCounts = PixelArray Float
+
+-- | What was traced.
+data Exposed = Exposed
+  { exposedLight :: !Film,
+    -- | 'Nothing' if every pixel got the scene's number.
+    exposedCounts :: !(Maybe SampleCounts)
+  }
+
+-- | @countsRow scene exposed row@: the number of samples of each pixel in a row of
+-- what was exposed of a scene, counted from the first one; none in other rows.
+countsRow :: Scene -> Exposed -> Int -> Vector Float
+countsRow scene (Exposed light counts) row
+  | row < 0 || row >= shapeHeight (pixelArrayShape light) = Vector.replicate width 0
+  | otherwise = fromMaybe (Vector.replicate width (fromIntegral (sceneSamples scene))) (counts >>= (`pixelRow` row))
+  where
+    width = shapeWidth (pixelArrayShape light)
+
+-- | Some rows of a film, from which and how many, without copying.
+filmRows :: Film -> (Int, Int) -> Maybe Film
+filmRows film (first, rows)
+  | first < 0 || rows < 1 || first > shapeHeight shape - rows = Nothing
+  | otherwise = do
+    part <- pixelShape (shapeWidth shape) rows (shapeChannels shape)
+    fromPixelVector part (Vector.slice (first * shapeRowLength shape) (rows * shapeRowLength shape) (toPixelVector film))
+  where
+    shape = pixelArrayShape film
+
+-- | 'exposeRowsUnder' with the number of samples of each pixel.
+exposeCounted :: Maybe SkyImage -> Workers -> (Int -> IO ()) -> Scene -> (Int, Int) -> IO (Maybe Exposed)
+exposeCounted picture crew progress scene (first, rows)
   | first < 0 || first > height - rows = pure Nothing
   | otherwise = case (,) <$> pixelShape width rows 3 <*> tracerUnder picture scene of
     Nothing -> pure Nothing
@@ -68,7 +107,7 @@ exposeRowsUnder picture crew progress scene (first, rows)
       _ <- mapShared crew pure (tracerTables traced)
       if mostSamples scene > sceneSamples scene
         then refineRows crew progress traced shape first
-        else Just <$> generateRows crew progress shape (traceRow traced width . (first +))
+        else Just . (`Exposed` Nothing) <$> generateRows crew progress shape (traceRow traced width . (first +))
   where
     Picture width height = scenePicture scene
 
@@ -76,14 +115,14 @@ exposeRowsUnder picture crew progress scene (first, rows)
 -- then, as all their neighbours are known, the further ones of these rows, and on
 -- to the next. So many rows at a time that the workers seldom wait for each other,
 -- and that the sums of all samples need little memory in a large picture.
-refineRows :: Workers -> (Int -> IO ()) -> Tracer -> PixelShape -> Int -> IO (Maybe Film)
+refineRows :: Workers -> (Int -> IO ()) -> Tracer -> PixelShape -> Int -> IO (Maybe Exposed)
 refineRows crew progress traced shape first = go 0 Nothing []
   where
     Picture width height = scenePicture (tracedScene traced)
     rows = shapeHeight shape
     go from before done
-      | from >= rows = pure (fromPixelVector shape (joined (reverse done)))
-      | otherwise = case (,) <$> pixelShape width count 3 <*> pixelShape width haloRows sumCount of
+      | from >= rows = pure (together (reverse done))
+      | otherwise = case (,) <$> pixelShape width count 4 <*> pixelShape width haloRows sumCount of
         Nothing -> pure Nothing
         Just (bandShape, haloShape) -> do
           sums <- generateRows crew (progress . (from +) . (`quot` 2)) haloShape $ \y row ->
@@ -93,13 +132,22 @@ refineRows crew progress traced shape first = go 0 Nothing []
           band <- generateRows crew (progress . (from +) . half . (count +)) bandShape (refineRow traced width haloFirst sums . (first + from +))
           -- The sums are the largest thing there is.
           when (from + count < rows) performMajorGC
-          go (from + count) (Just (haloFirst, sums)) (toPixelVector band : done)
+          let !parts = separated (toPixelVector band)
+          go (from + count) (Just (haloFirst, sums)) (parts : done)
       where
         count = min 256 (rows - from)
         -- Whether a pixel needs more samples is for its neighbours to say, too.
         haloFirst = max 0 (first + from - 1)
         haloRows = min height (first + from + count + 1) - haloFirst
     half n = (n + 1) `quot` 2
+    -- Light and counts of a band, which were made together.
+    separated pixels =
+      let !light = Vector.generate (3 * (Vector.length pixels `quot` 4)) (\i -> Vector.unsafeIndex pixels (4 * (i `quot` 3) + i `rem` 3))
+          !counts = Vector.generate (Vector.length pixels `quot` 4) (\i -> Vector.unsafeIndex pixels (4 * i + 3))
+       in (light, counts)
+    together bands = do
+      countShape <- pixelShape width rows 1
+      Exposed <$> fromPixelVector shape (joined (map fst bands)) <*> (Just <$> fromPixelVector countShape (joined (map snd bands)))
     joined [whole] = whole
     joined parts = Vector.concat parts
 
@@ -155,12 +203,18 @@ sumRow traced !width !row sums =
     forSums estimate $ \k v ->
       MVector.unsafeWrite sums (sumCount * column + k) (realToFrac v)
 
--- | Finish one row, given the first sums and the number of their first row.
+-- | Finish one row, given the first sums and the number of their first row: light
+-- in three channels, and the number of samples.
 refineRow :: Tracer -> Int -> Int -> PixelArray Float -> Int -> MVector s Float -> ST s ()
 refineRow traced !width !sumsFirst sums !row pixels = go 0
   where
     go !column = when (column < width) $ do
-      writeRadiance pixels column (estimatedRadiance (refinedEstimate traced uncertain (first column) column row))
+      let estimate = refinedEstimate traced uncertain (first column) column row
+          Radiance r g b = estimatedRadiance estimate
+      MVector.unsafeWrite pixels (4 * column) (realToFrac r)
+      MVector.unsafeWrite pixels (4 * column + 1) (realToFrac g)
+      MVector.unsafeWrite pixels (4 * column + 2) (realToFrac b)
+      MVector.unsafeWrite pixels (4 * column + 3) (fromIntegral (estimateCount estimate))
       go (column + 1)
     scene = tracedScene traced
     !numbers = toPixelVector sums

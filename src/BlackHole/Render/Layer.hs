@@ -1,12 +1,47 @@
--- | Numbers that accompany a picture, one for each pixel.
-module BlackHole.Render.Layer (Layer (..)) where
+-- | Numbers that accompany a picture, one of each kind for each pixel.
+module BlackHole.Render.Layer
+  ( Layers (..),
+    noLayers,
+    sceneLayers,
+  )
+where
 
-import BlackHole.Render.PixelArray (PixelArray)
+import BlackHole.Scene.Camera (Picture (..))
+import BlackHole.Scene.Scene
+import BlackHole.Trace.PixelGeometry
+import Data.Vector.Storable (Vector)
+import qualified Data.Vector.Storable as Vector
 
--- | A named array of one channel and the picture's size: redshift, deflection, …
--- Where there is nothing to say of a pixel, its value is NaN.
-data Layer = Layer
-  { -- | Up to 31 letters and digits of ASCII.
-    layerName :: !String,
-    layerValues :: !(PixelArray Float)
+-- | Layers that are made row by row when they are written, so that none of them
+-- is ever in memory as a whole. Where there is nothing to say of a pixel, its
+-- number is NaN.
+data Layers = Layers
+  { -- | Up to 31 printable characters of ASCII each.
+    layerNames :: ![String],
+    -- | Every layer's numbers in a row of the picture, in the order of the names.
+    layerRow :: !(Int -> IO [Vector Float])
   }
+
+-- | None.
+noLayers :: Layers
+noLayers = Layers [] (const (pure []))
+
+-- | @sceneLayers scene counts@: redshift, deflection and radius of
+-- 'pixelGeometry', and the number of samples, which is for the sampler to say of
+-- each row. 'Nothing' for a scene that cannot be traced.
+sceneLayers :: Scene -> (Int -> IO (Vector Float)) -> Maybe Layers
+sceneLayers scene counts = layers <$> pixelGeometry scene
+  where
+    layers look = Layers ["redshift.V", "deflection.V", "radius.V", "samples.V"] (rowOf look)
+    width = pictureWidth (scenePicture scene)
+    rowOf look row = do
+      samples <- counts row
+      let numbers = Vector.unfoldrExactN (3 * width) (next look row) (0, [])
+          plane k = Vector.generate width (\x -> Vector.unsafeIndex numbers (3 * x + k))
+      pure [plane 0, plane 1, plane 2, samples]
+    next look row (column, pending) = case pending of
+      v : rest -> (v, (column, rest))
+      [] ->
+        let PixelGeometry deflection hit = look column row
+         in (number (hitRedshift <$> hit), (column + 1 :: Int, [number deflection, number (hitRadius <$> hit)]))
+    number = maybe (0 / 0) realToFrac :: Maybe Double -> Float

@@ -6,6 +6,7 @@ import BlackHole.Cli.FilmScene
 import BlackHole.Cli.Run
 import BlackHole.Cli.SceneOptions
 import BlackHole.Scene.Preset
+import Control.Monad (forM_)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Char8
 import Data.List (isPrefixOf)
@@ -26,6 +27,14 @@ spec = do
     Bytes.readFile (folder </> "1.png") `shouldReturn` alone
     first <- Bytes.readFile (folder </> "0.png")
     (first == alone) `shouldBe` False
+  it "makes frames with an open shutter that can be rendered from themselves" . inFolder $ \folder -> do
+    writeFilm folder ["animation: {frames: 2, fps: 1, shutter: 0.5, shutter-samples: 3, keyframes: {camera.azimuth: {0: 90, 2: 100}, camera.roll: {0: 0, 2: 9}}}"]
+    forM_ [".png", ".exr"] $ \extension -> do
+      run ["animate", folder </> "film.yaml", "-o", folder </> ("%d" ++ extension)] `shouldReturn` ExitSuccess
+      run ["render", "--from", folder </> ("1" ++ extension), "-o", folder </> ("again" ++ extension)] `shouldReturn` ExitSuccess
+      frame <- Bytes.readFile (folder </> ("1" ++ extension))
+      Bytes.readFile (folder </> ("again" ++ extension)) `shouldReturn` frame
+    run ["render", "--from", folder </> "1.png", "--tile", "1/2", "-o", folder </> "a.tile"] `shouldReturn` ExitFailure 3
   it "renders a shard, a range, and then the rest" . inFolder $ \folder -> do
     writeFilm folder ["animation: {frames: 5, camera-path: {kind: orbit}}"]
     let frames arguments = run (["animate", folder </> "film.yaml", "-o", folder </> "f" </> "%d.png"] ++ arguments)

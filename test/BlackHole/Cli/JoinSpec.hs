@@ -2,9 +2,12 @@ module BlackHole.Cli.JoinSpec (spec) where
 
 import BlackHole.Cli.Join
 import BlackHole.Cli.Run
+import Control.Monad (forM_)
 import qualified Data.ByteString as Bytes
+import qualified Data.ByteString.Char8 as Characters
 import Data.Either (fromLeft)
 import Data.List (isInfixOf)
+import Support.Tool
 import System.Directory (doesFileExist)
 import System.Exit (ExitCode (..))
 import System.FilePath ((</>))
@@ -29,7 +32,24 @@ spec = do
     same [] ["--bits", "16"] ".png"
     same ["--bloom", "0.1"] [] ".png"
     same [] ["--bits", "32"] ".exr"
+    same ["--bloom", "0.2"] ["--bits", "16"] ".png"
+    same ["--bloom", "0.1"] [] ".hdr"
+    same ["--bloom", "0.1"] [] ".tif"
+    same ["--bloom", "0.1"] ["--bits", "32"] ".tif"
     same [] ["--quality", "80"] ".jpg"
+  it "makes the same OpenEXR layers, numbers of samples included" . inFolder $ \folder ->
+    forM_ [["--samples", "3"], ["--samples", "4", "--noise", "0.02", "--bloom", "0.1"]] $ \sampling -> do
+      let arguments = ["render", "--width", "40"] ++ sampling
+      run (arguments ++ ["-o", folder </> "whole.exr"]) `shouldReturn` ExitSuccess
+      mapM_ (\i -> tile folder arguments i 3 `shouldReturn` ExitSuccess) [1 .. 3]
+      run ["join", folder </> "1.tile", folder </> "2.tile", folder </> "3.tile", "-o", folder </> "joined.exr"] `shouldReturn` ExitSuccess
+      run ["render", "--from", folder </> "joined.exr", "--threads", "2", "--keep-partial", "-o", folder </> "again.exr"] `shouldReturn` ExitSuccess
+      whole <- Bytes.readFile (folder </> "whole.exr")
+      mapM (Bytes.readFile . (folder </>)) ["joined.exr", "again.exr"] `shouldReturn` [whole, whole]
+      withTool "exrheader" $ \tool -> do
+        text <- toolOutput tool [folder </> "whole.exr"]
+        forM_ ["deflection.V", "radius.V", "redshift.V", "samples.V"] $ \name ->
+          text `shouldSatisfy` Bytes.isInfixOf (Characters.pack (name ++ ", 32-bit floating-point, sampling 1 1"))
   it "names tiles that are missing, of another scene, or damaged" . inFolder $ \folder -> do
     mapM_ (\i -> tile folder plain i 3) [1 .. 3]
     let paths = [folder </> (show i ++ ".tile") | i <- [1 .. 3 :: Int]]

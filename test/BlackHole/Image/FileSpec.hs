@@ -17,7 +17,7 @@ import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Characters
 import qualified Data.ByteString.Lazy as Lazy
 import Data.List (isInfixOf)
-import Data.Maybe (isNothing, mapMaybe)
+import Data.Maybe (fromMaybe, isNothing, mapMaybe)
 import qualified Data.Vector.Storable as Vector
 import Data.Word (Word16)
 import GHC.Float (castFloatToWord32)
@@ -70,7 +70,7 @@ spec = do
     it "JPEG is near the developed picture" $ do
       let gentle = arrayOf 3 (Vector.generate (3 * width * height) (\i -> fromIntegral ((i `quot` 3) `rem` width) / fromIntegral (width * (1 + i `rem` 3))))
       codes <- toPixelVector <$> developFilm oneWorker exposure ToneFilm NoDither gentle
-      file <- encodeFile oneWorker Jpeg (labelled (Coding Nothing (Just 95)) scene) development [] gentle
+      file <- encodeFile oneWorker Jpeg (labelled (Coding Nothing (Just 95)) scene) development noLayers gentle
       case convertRGB8 <$> maybe (Left "not encoded") (decodeJpeg . Lazy.toStrict) file of
         Right image -> do
           let differences = Vector.zipWith (\a b -> abs (fromIntegral a - fromIntegral b)) codes (imageData image) :: Vector.Vector Double
@@ -109,9 +109,17 @@ spec = do
             $ \line -> text `shouldSatisfy` isInfixOf line
     it "EXR is refused with layers that do not fit" $ do
       let with layers = encodeFile oneWorker Exr (labelled defaultCoding scene) development layers film
-          named name = [Layer name (layerValues redshift)]
-      mapM (fmap isNothing . with) [[redshift], [redshift, redshift], named "R", named "", named (replicate 32 'a'), [Layer "a" film]]
-        `shouldReturn` [False, True, True, True, True, True]
+          named names = Layers names (layerRow redshift)
+      mapM (fmap isNothing . with . named) [["redshift"], ["redshift", "redshift"], ["R"], [""], [replicate 32 'a']]
+        `shouldReturn` [False, True, True, True, True]
+    it "EXR has NaN where a layer says nothing" $ do
+      let short = Layers ["a"] (const (pure [Vector.fromList [7]]))
+      bytes <- encodeFile oneWorker Exr (labelled (Coding (Just 32) Nothing) scene) development short film
+      withSystemTempDirectory "blackhole-spec" $ \folder -> do
+        Lazy.writeFile (folder </> "a.exr") (fromMaybe Lazy.empty bytes)
+        withTool "oiiotool" $ \tool -> do
+          text <- toolOutput tool ["--stats", folder </> "a.exr"]
+          Characters.unpack text `shouldSatisfy` isInfixOf ("NanCount: 0 0 0 " ++ show ((width - 1) * height))
   describe "16-bit floating point" $ do
     it "has the standard's values" $
       map (halfBits . castFloatToWord32) [0, 1, -2, 65504, 65519, 65520, 1e9, 1 / 0, 2 ** (-14), 2 ** (-24), 2 ** (-25), 1.5 * 2 ** (-24), 0.1]
@@ -142,7 +150,7 @@ spec = do
     development = Development exposure ToneFilm NoDither
     encoded crew path label = case formatOf path of
       Nothing -> pure Nothing
-      Just format -> encodeFile crew format label development [redshift] film
+      Just format -> encodeFile crew format label development redshift film
     inFile path coding action = withSystemTempDirectory "blackhole-spec" $ \folder -> do
       bytes <- encoded oneWorker path (labelled coding scene)
       case bytes of
@@ -162,7 +170,7 @@ spec = do
       length expected == length actual && and (zipWith (\a b -> abs (a - b) <= tolerance * abs a + 1e-7) expected (actual :: [Float]))
     withLayer numbers' =
       concat
-        [ Vector.toList (Vector.slice (3 * i) 3 numbers') ++ [toPixelVector (layerValues redshift) Vector.! i]
+        [ Vector.toList (Vector.slice (3 * i) 3 numbers') ++ [redshiftAt i]
           | i <- [0 .. width * height - 1]
         ]
     words16 raw = case Bytes.unpack (Bytes.take 2 raw) of
@@ -189,8 +197,11 @@ film = arrayOf 3 (Vector.generate (3 * width * height) amount)
 light :: Vector.Vector Float
 light = toPixelVector film
 
-redshift :: Layer
-redshift = Layer "redshift" (arrayOf 1 (Vector.generate (width * height) (\i -> 0.5 + fromIntegral i / 1000)))
+redshift :: Layers
+redshift = Layers ["redshift"] (\row -> pure [Vector.generate width (\x -> redshiftAt (row * width + x))])
+
+redshiftAt :: Int -> Float
+redshiftAt i = 0.5 + fromIntegral i / 1000
 
 arrayOf :: Int -> Vector.Vector Float -> PixelArray Float
 arrayOf channels values =

@@ -39,6 +39,13 @@ spec = do
         rows (0, 12) `shouldReturn` Just picture
         mapM rows [(0, 1), (3, 2), (2, 9), (11, 1)] `shouldReturn` [Just (Vector.slice (15 * from) (15 * count) picture) | (from, count) <- [(0, 1), (3, 2), (2, 9), (11, 1)]]
         mapM rows [(-1, 2), (11, 2), (12, 1), (4, 0)] `shouldReturn` [Nothing, Nothing, Nothing, Nothing]
+  it "gives the numbers of samples of a row, if the tile that holds it has them" . inFolder $ \folder -> do
+    tiles <- mapM (\i -> writeTileAt i (folder </> show i) >> openTile (folder </> show i)) [3, 1, 2]
+    case sequence tiles of
+      Left reason -> expectationFailure reason
+      Right found ->
+        mapM (readCountsRow found) [-1, 0, 3, 4, 8, 11, 12]
+          `shouldReturn` [Nothing, Just (Vector.fromList [1 .. 5]), Just (Vector.fromList [16 .. 20]), Nothing, Just (Vector.fromList [3 .. 7]), Just (Vector.fromList [18 .. 22]), Nothing]
   it "notices a changed byte wherever it is, a missing end, and what is no tile" . inFolder $ \folder -> do
     let file = folder </> "2.tile"
     writeTile file header
@@ -50,7 +57,7 @@ spec = do
     openTile file >>= either (`shouldSatisfy` isInfixOf "incomplete") (const (expectationFailure "taken"))
     mapM_ (\junk -> Bytes.writeFile file junk >> openTile file >>= either (`shouldBe` "not a tile file") (const (expectationFailure "taken"))) [Bytes.empty, Char8.pack "P6 1 1", Bytes.replicate 1000 10]
   it "does not take a film of another size" $
-    fmap Lazy.length (pixelArrayOf 5 3 >>= encodeTile header) `shouldBe` Nothing
+    fmap Lazy.length (pixelArrayOf 5 3 >>= encodeTile header Nothing) `shouldBe` Nothing
   describe "joinFaults" $ do
     let tile i = ("t" ++ show i, header {tileShard = Shard i 3})
     it "finds none in a complete set in any order" $ joinFaults (map tile [3, 1, 2]) `shouldBe` []
@@ -68,6 +75,7 @@ spec = do
     inFolder = withSystemTempDirectory "blackhole-spec"
     header = TileHeader (Shard 2 3) (5, 12) (Char8.pack "a: 1\nb: 2\n")
     light = Vector.fromList (take 60 ([0, 1 / 0, -0.5, 1e-40] ++ map ((* 0.37) . fromIntegral) [1 :: Int ..]))
+    pixelArrayOf :: Int -> Int -> Maybe (PixelArray Float)
     pixelArrayOf width height = do
       shape <- pixelShape width height 3
       fromPixelVector shape (Vector.take (3 * width * height) light)
@@ -76,5 +84,6 @@ spec = do
       maybe (expectationFailure "no tile") (Lazy.writeFile file) $ do
         shape <- pixelShape 5 4 3
         film <- fromPixelVector shape (Vector.map (+ fromIntegral i) plainLight)
-        encodeTile header {tileShard = Shard i 3} film
-    writeTile file h = maybe (expectationFailure "no tile") (Lazy.writeFile file) (pixelArrayOf 5 4 >>= encodeTile h)
+        encodeTile header {tileShard = Shard i 3} (if i == 2 then Nothing else countsOf i) film
+    countsOf i = pixelShape 5 4 1 >>= \shape -> fromPixelVector shape (Vector.generate 20 (\k -> fromIntegral (i + k)))
+    writeTile file h = maybe (expectationFailure "no tile") (Lazy.writeFile file) (pixelArrayOf 5 4 >>= encodeTile h Nothing)

@@ -10,6 +10,9 @@ import BlackHole.Scene.Camera (Camera (..), Picture (..))
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Sky (Sky (..))
+import BlackHole.Trace.Adaptive (pixelEstimate)
+import BlackHole.Trace.Estimate (estimateCount)
+import BlackHole.Trace.Pixel (tracer)
 import qualified Data.Vector.Storable as Vector
 import Data.Word (Word8)
 import Test.Hspec
@@ -36,6 +39,15 @@ spec = do
       whole <- exposeFilm oneWorker (const (pure ())) searching
       bands <- mapM (exposeRows oneWorker (const (pure ())) searching) [(0, 11), (11, 1), (12, 15)]
       fmap (Vector.concat . map toPixelVector) (sequence bands) `shouldBe` fmap toPixelVector whole
+    it "counts each pixel's samples as the pixel by itself does" $ do
+      exposed <- exposeCounted Nothing oneWorker (const (pure ())) searching (0, 27)
+      case (exposed, tracer searching) of
+        (Just whole, Just traced) -> do
+          let counts = Vector.concat (map (countsRow searching whole) [0 .. 26])
+          Vector.toList counts `shouldBe` [fromIntegral (estimateCount (pixelEstimate traced column row)) | row <- [0 .. 26], column <- [0 .. 47]]
+          (Vector.minimum counts, Vector.maximum counts) `shouldBe` (4, 64)
+          countsRow searching whole 27 `shouldBe` Vector.replicate 48 0
+        _ -> expectationFailure "no film"
     it "has the same light in a band as in a whole of many" $ do
       whole <- exposeFilm oneWorker (const (pure ())) tall
       band <- exposeRows oneWorker (const (pure ())) tall (200, 100)
