@@ -9,7 +9,6 @@ where
 import Control.Applicative ((<|>))
 import Control.Concurrent (forkIO, myThreadId, threadDelay)
 import Control.Exception hiding (Handler)
-import qualified Control.Exception as Exception
 import Control.Monad (void, when)
 import Data.IORef (atomicModifyIORef', newIORef)
 import GHC.Clock (getMonotonicTime)
@@ -54,11 +53,8 @@ stoppable atOnce action = do
             throwTo thread reason
           Just at -> when (now - at > 1) $ exitImmediately (stoppedCode reason)
   mapM_ (\(signal, reason) -> installHandler signal (stopFor reason) Nothing) [(sigINT, Interrupted), (sigTERM, Terminated)]
-  action `catches` [Exception.Handler stopped, Exception.Handler interrupted]
+  action `catch` stopped
   where
     stopped reason = stoppedCode reason <$ hPutStrLn stderr ("blackhole: " ++ word reason)
     word Interrupted = "interrupted"
     word Terminated = "ended by SIGTERM"
-    -- Films turn both signals into this one.
-    interrupted UserInterrupt = ExitFailure 130 <$ hPutStrLn stderr "blackhole: interrupted"
-    interrupted other = throwIO other

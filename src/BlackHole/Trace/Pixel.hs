@@ -53,6 +53,7 @@ import BlackHole.Trace.SkyImage (SkyImage)
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ, (*^))
 import qualified BlackHole.Vector.XYZ as XYZ
+import GHC.Exts (lazy)
 
 -- | A scene made ready: what all pixels share, worked out once.
 data Tracer = Tracer
@@ -166,8 +167,9 @@ stepPhase (XY x y) = 0.5 + turnFraction (0.7548776662466927 * x + 0.569840290998
 -- | @addSamples traced from to estimate column row@: the estimate with the
 -- pixel's samples from one number up to another, which is left out.
 addSamples :: Tracer -> Int -> Int -> Estimate -> Int -> Int -> Estimate
-addSamples traced from to estimate column row = go from estimate
+addSamples prepared from to estimate column row = go from estimate
   where
+    traced = lazy prepared
     go !index !sums
       | index < to =
         let Sample place weight = samplePoint (tracerScene traced) column row index
@@ -222,9 +224,12 @@ threeSights traced p0 p1 p2 = case (tracedSight traced p0, tracedSight traced p1
 -- | Radiance that arrives at one point of the picture (pixels from the top
 -- left corner).
 sightRadiance :: Tracer -> XY -> Radiance
-sightRadiance traced point = case tracedSight traced point of
+sightRadiance prepared point = case tracedSight traced point of
   Nothing -> black
   Just sight -> seen traced point sight (followLight traced point sight)
+  where
+    -- GHC would take it apart for the call and put it together again in here.
+    traced = lazy prepared
 
 -- | The gas's light and what the sky adds to it.
 seen :: Tracer -> XY -> SightLine -> Followed Gathered -> Radiance
