@@ -133,7 +133,8 @@ shoot shooting listen = do
         case exposed of
           Nothing -> pure (Left "its scenes cannot be traced together")
           Just light -> do
-            case Light.faultyPixels (Light.exposedLight light) of
+            faults <- Light.faultyPixels (shootingWorkers shooting) (Light.exposedLight light)
+            case faults of
               (count, Just (x, y)) ->
                 listen (Remark ("frame " ++ show (jobFrame job) ++ ": " ++ show count ++ " pixels have no finite radiance, the first at " ++ show x ++ "," ++ show y))
               _ -> pure ()

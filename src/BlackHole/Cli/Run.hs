@@ -213,7 +213,7 @@ render options
         finishing (skyFileImage <$> sky) crew scene band (exposedLight exposed) seconds $
           maybe (complain CannotWrite "the tile can't be coded") (store output) (encodeTile (tileHeader (programName : skyLines sky) part scene) (exposedCounts exposed) (exposedLight exposed))
     finishing picture crew scene band film traced write = do
-      faults <- warnOfFaults (fst band) film
+      faults <- warnOfFaults crew (fst band) film
       if runStrict how && fst faults > 0
         then complain InternalFault "--strict: no file is written because of them"
         else do
@@ -412,7 +412,7 @@ preview sky scene crew = do
   case exposed of
     Nothing -> untraceable
     Just film -> do
-      _ <- warnOfFaults 0 film
+      _ <- warnOfFaults crew 0 film
       bloomed <- bloomFilm crew (sceneBloom scene) film
       codes <- developFilm crew (sceneExposure scene) (sceneToneMap scene) (sceneDither scene) bloomed
       Done <$ putStr (previewText (palette isTerminal environment) codes)
@@ -423,12 +423,13 @@ untraceable = complain InternalFault "the scene passed its checks but can't be t
 -- | Warn of pixels without light that could be shown, in a film whose first row is
 -- this one of the picture.
 -- Their number and the first one's column and row in the picture.
-warnOfFaults :: Int -> Film -> IO (Int, Maybe (Int, Int))
-warnOfFaults first film = case faultyPixels film of
-  (n, Just (x, y)) -> do
-    hPutStrLn stderr ("blackhole: warning: " ++ show n ++ " pixels have no finite radiance, the first at " ++ show x ++ "," ++ show (first + y))
-    pure (n, Just (x, first + y))
-  _ -> pure (0, Nothing)
+warnOfFaults :: Workers -> Int -> Film -> IO (Int, Maybe (Int, Int))
+warnOfFaults crew first film = faultyPixels crew film >>= warn
+  where
+    warn (n, Just (x, y)) = do
+      hPutStrLn stderr ("blackhole: warning: " ++ show n ++ " pixels have no finite radiance, the first at " ++ show x ++ "," ++ show (first + y))
+      pure (n, Just (x, first + y))
+    warn _ = pure (0, Nothing)
 
 -- | Something about scenes, on standard output.
 scenes :: SceneCommand -> IO ExitStatus

@@ -269,12 +269,15 @@ filmRadiance film column row = (`radianceAt` 0) <$> pixelChannels film column ro
 
 -- | How many pixels hold a NaN or an infinity, and the column and row of the
 -- first. There should be none: one is a fault of the program.
-faultyPixels :: Film -> (Int, Maybe (Int, Int))
-faultyPixels film
+faultyPixels :: Workers -> Film -> IO (Int, Maybe (Int, Int))
+faultyPixels crew film = do
   -- The rule, in a nanosecond a number.
-  | Vector.all (\v -> v - v == 0) light = (0, Nothing)
-  | otherwise = (Vector.length faulty, place <$> faulty Vector.!? 0)
+  sound <- mapShared crew (pure . Vector.all (\v -> v - v == 0)) (slices light)
+  pure (if and sound then (0, Nothing) else (Vector.length faulty, place <$> faulty Vector.!? 0))
   where
+    slices numbers
+      | Vector.null numbers = []
+      | otherwise = let (now, later) = Vector.splitAt 1000000 numbers in now : slices later
     faulty = Vector.filter isFaulty (Vector.enumFromN 0 (Vector.length light `quot` 3))
     isFaulty i = not (isFiniteRadiance (radianceAt light (3 * i)))
     light = toPixelVector film

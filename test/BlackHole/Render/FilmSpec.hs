@@ -26,10 +26,10 @@ spec = do
     fmap (Vector.length . Vector.filter (> 100)) one `shouldSatisfy` maybe False (> 100)
   it "has no faulty pixel" $ do
     film <- exposeFilm oneWorker (const (pure ())) small
-    fmap faultyPixels film `shouldBe` Just (0, Nothing)
+    traverse (faultyPixels oneWorker) film `shouldReturn` Just (0, Nothing)
   it "does not trace an invalid scene" $ do
     film <- exposeFilm oneWorker (const (pure ())) small {scenePicture = Picture 0 1}
-    fmap faultyPixels film `shouldBe` Nothing
+    traverse (faultyPixels oneWorker) film `shouldReturn` Nothing
   it "has the same light in a band as in the whole" $ do
     whole <- exposeFilm oneWorker (const (pure ())) small
     bands <- mapM (exposeRows oneWorker (const (pure ())) small) [(0, 5), (5, 1), (6, 21)]

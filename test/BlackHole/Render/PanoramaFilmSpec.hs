@@ -53,7 +53,7 @@ spec = do
     mean (Vector.zipWith (\x y -> abs (x - y)) a b) `shouldSatisfy` (< 2e-3)
   it "is not traced without its picture" $ do
     film <- exposeFilm oneWorker (const (pure ())) (from 8 Static) {sceneSky = sky}
-    fmap faultyPixels film `shouldBe` Nothing
+    traverse (faultyPixels oneWorker) film `shouldReturn` Nothing
   where
     sky = SkyPanorama (panoramaOf "x")
     plain v = skyImageFromPixels 64 32 (\_ _ -> grey v)
