@@ -36,10 +36,11 @@ import BlackHole.Trace.Pixel
 import BlackHole.Trace.SkyImage (SkyImage)
 import Control.Monad (when)
 import Control.Monad.ST (ST)
+import Data.Foldable (for_)
 import Data.Maybe (fromMaybe)
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as Vector
-import Data.Vector.Storable.Mutable (MVector)
+import Data.Vector.Storable.Mutable (IOVector, MVector)
 import qualified Data.Vector.Storable.Mutable as MVector
 import Data.Word (Word16, Word8)
 import System.Mem (performMajorGC)
@@ -116,40 +117,47 @@ exposeCounted picture crew progress scene (first, rows)
 -- to the next. So many rows at a time that the workers seldom wait for each other,
 -- and that the sums of all samples need little memory in a large picture.
 refineRows :: Workers -> (Int -> IO ()) -> Tracer -> PixelShape -> Int -> IO (Maybe Exposed)
-refineRows crew progress traced shape first = go 0 Nothing []
+refineRows crew progress traced shape first = do
+  -- All bands end here at once, not to be put together from copies.
+  light <- MVector.unsafeNew (shapeLength shape)
+  counts <- MVector.unsafeNew (width * rows)
+  let go from before
+        | from >= rows = exposed <$> Vector.unsafeFreeze light <*> Vector.unsafeFreeze counts
+        | otherwise = case (,) <$> pixelShape width count 4 <*> pixelShape width haloRows sumCount of
+          Nothing -> pure Nothing
+          Just (bandShape, haloShape) -> do
+            sums <- generateRows crew (progress . (from +) . (`quot` 2)) haloShape $ \y row ->
+              case before >>= \(beforeFirst, known) -> pixelRow known (haloFirst + y - beforeFirst) of
+                Just known -> Vector.unsafeCopy row known
+                Nothing -> sumRow traced width (haloFirst + y) row
+            band <- generateRows crew (progress . (from +) . half . (count +)) bandShape (refineRow traced width haloFirst sums . (first + from +))
+            separate (toPixelVector band) (MVector.slice (3 * width * from) (3 * width * count) light) (MVector.slice (width * from) (width * count) counts)
+            -- The sums are the largest thing beside the film.
+            when (from + count < rows) performMajorGC
+            go (from + count) (Just (haloFirst, sums))
+        where
+          count = min 256 (rows - from)
+          -- Whether a pixel needs more samples is for its neighbours to say, too.
+          haloFirst = max 0 (first + from - 1)
+          haloRows = min height (first + from + count + 1) - haloFirst
+  go 0 Nothing
   where
     Picture width height = scenePicture (tracedScene traced)
     rows = shapeHeight shape
-    go from before done
-      | from >= rows = pure (together (reverse done))
-      | otherwise = case (,) <$> pixelShape width count 4 <*> pixelShape width haloRows sumCount of
-        Nothing -> pure Nothing
-        Just (bandShape, haloShape) -> do
-          sums <- generateRows crew (progress . (from +) . (`quot` 2)) haloShape $ \y row ->
-            case before >>= \(beforeFirst, known) -> pixelRow known (haloFirst + y - beforeFirst) of
-              Just known -> Vector.unsafeCopy row known
-              Nothing -> sumRow traced width (haloFirst + y) row
-          band <- generateRows crew (progress . (from +) . half . (count +)) bandShape (refineRow traced width haloFirst sums . (first + from +))
-          -- The sums are the largest thing there is.
-          when (from + count < rows) performMajorGC
-          let !parts = separated (toPixelVector band)
-          go (from + count) (Just (haloFirst, sums)) (parts : done)
-      where
-        count = min 256 (rows - from)
-        -- Whether a pixel needs more samples is for its neighbours to say, too.
-        haloFirst = max 0 (first + from - 1)
-        haloRows = min height (first + from + count + 1) - haloFirst
     half n = (n + 1) `quot` 2
-    -- Light and counts of a band, which were made together.
-    separated pixels =
-      let !light = Vector.generate (3 * (Vector.length pixels `quot` 4)) (\i -> Vector.unsafeIndex pixels (4 * (i `quot` 3) + i `rem` 3))
-          !counts = Vector.generate (Vector.length pixels `quot` 4) (\i -> Vector.unsafeIndex pixels (4 * i + 3))
-       in (light, counts)
-    together bands = do
+    exposed light counts = do
       countShape <- pixelShape width rows 1
-      Exposed <$> fromPixelVector shape (joined (map fst bands)) <*> (Just <$> fromPixelVector countShape (joined (map snd bands)))
-    joined [whole] = whole
-    joined parts = Vector.concat parts
+      Exposed <$> fromPixelVector shape light <*> (Just <$> fromPixelVector countShape counts)
+
+-- | Light and counts, which were made together.
+separate :: Vector Float -> IOVector Float -> IOVector Float -> IO ()
+separate both light counts = go 0
+  where
+    go :: Int -> IO ()
+    go !i = when (i < MVector.length counts) $ do
+      for_ [0 .. 2] $ \k -> MVector.unsafeWrite light (3 * i + k) (Vector.unsafeIndex both (4 * i + k))
+      MVector.unsafeWrite counts i (Vector.unsafeIndex both (4 * i + 3))
+      go (i + 1)
 
 -- | Trace one row into its part of the film.
 traceRow :: Tracer -> Int -> Int -> MVector s Float -> ST s ()
