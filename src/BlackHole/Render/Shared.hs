@@ -1,8 +1,7 @@
 -- | Independent pieces of work, shared by the workers.
 module BlackHole.Render.Shared (mapShared) where
 
-import BlackHole.Render.Workers (Workers, workersCount)
-import Control.Concurrent.Async (replicateConcurrently_)
+import BlackHole.Render.Workers (Workers, onWorkers)
 import Control.Exception (evaluate)
 import Control.Monad (when)
 import Data.IORef (atomicModifyIORef', newIORef)
@@ -23,7 +22,7 @@ mapShared crew work pieces = do
           result <- work (Boxed.unsafeIndex queue i) >>= evaluate
           Mutable.unsafeWrite results i result
           worker
-  replicateConcurrently_ (min (workersCount crew) count) worker
+  onWorkers crew count worker
   Boxed.toList <$> Boxed.unsafeFreeze results
   where
     queue = Boxed.fromList pieces

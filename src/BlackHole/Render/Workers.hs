@@ -7,12 +7,15 @@ module BlackHole.Render.Workers
     oneWorker,
     defaultWorkers,
     withWorkers,
+    onWorkers,
   )
 where
 
 import Control.Concurrent (getNumCapabilities, rtsSupportsBoundThreads, setNumCapabilities)
-import Control.Exception (bracket)
+import Control.Concurrent.Async (Async, asyncOn, uninterruptibleCancel, waitAny)
+import Control.Exception (bracket, mask, onException)
 import Control.Monad (when)
+import Data.List (delete)
 import GHC.Conc (getNumProcessors)
 
 -- | A number of worker threads, from 1 to 'maximumWorkers'.
@@ -62,3 +65,21 @@ withWorkers (Workers wanted) action
     switchTo n = do
       current <- getNumCapabilities
       when (current /= n) $ setNumCapabilities n
+
+-- | @onWorkers workers most act@: run an action at the same time on each of the
+-- workers, but at most on so many, until all are done. An exception in one of them,
+-- or to the caller, stops the others and is rethrown.
+--
+-- Each begins on a processor of its own. Left to the run-time system, the second
+-- waits on the first one's processor until that has time to give it away, which
+-- can take ten milliseconds.
+onWorkers :: Workers -> Int -> IO () -> IO ()
+onWorkers (Workers wanted) most act = mask $ \restore -> do
+  running <- mapM (`asyncOn` restore act) [0 .. min wanted most - 1]
+  restore (waitAll running) `onException` mapM_ uninterruptibleCancel running
+  where
+    waitAll :: [Async ()] -> IO ()
+    waitAll [] = pure ()
+    waitAll running = do
+      (done, ()) <- waitAny running
+      waitAll (delete done running)

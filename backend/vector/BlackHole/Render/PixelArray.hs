@@ -16,8 +16,7 @@ where
 
 import BlackHole.Render.PixelShape (PixelShape, shapeHeight, shapeLength, shapeRowLength)
 import BlackHole.Render.RowCount (withRowCount)
-import BlackHole.Render.Workers (Workers, workersCount)
-import Control.Concurrent.Async (replicateConcurrently_)
+import BlackHole.Render.Workers (Workers, onWorkers)
 import Control.Monad (when)
 import Control.Monad.ST (RealWorld, ST, stToIO)
 import Data.IORef (atomicModifyIORef', newIORef)
@@ -81,7 +80,7 @@ generateRows crew progress shape fillRow = do
           rowFinished
           worker rowFinished
   withRowCount (shapeHeight shape) progress $
-    replicateConcurrently_ (min (workersCount crew) (shapeHeight shape)) . worker
+    onWorkers crew (shapeHeight shape) . worker
   PixelArray shape <$> Vector.unsafeFreeze pixels
 
 -- | An array of the given shape on the vector's own memory, without copying;
