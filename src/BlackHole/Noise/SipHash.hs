@@ -13,6 +13,9 @@ module BlackHole.Noise.SipHash
     sipHash,
     sipHash2,
     sipHash3,
+    SipState,
+    sipAfter2,
+    sipThird,
   )
 where
 
@@ -26,7 +29,7 @@ import Data.Word (Word64)
 data SipKey = SipKey {-# UNPACK #-} !Word64 {-# UNPACK #-} !Word64
   deriving (Eq, Ord, Show)
 
--- | The four words v0 … v3 that the algorithm stirs.
+-- | A hash that is not finished: the four words v0 … v3 that the algorithm stirs.
 data SipState
   = SipState
       {-# UNPACK #-} !Word64
@@ -59,8 +62,22 @@ sipHash2 key a b =
 
 -- | The hash of three words: of 24 bytes.
 sipHash3 :: SipKey -> Word64 -> Word64 -> Word64 -> Word64
-sipHash3 key a b c =
-  finish (24 `unsafeShiftL` 56) (absorb c (absorb b (absorb a (initial key))))
+sipHash3 key a b c = third (absorb b (absorb a (initial key))) c
+
+-- | What 'sipHash3' has made of the key and the first two words: a third of its work,
+-- to be done once for many third words.
+sipAfter2 :: SipKey -> Word64 -> Word64 -> SipState
+sipAfter2 key a b = absorb b (absorb a (initial key))
+
+-- | The hash after the third word: @sipThird ('sipAfter2' key a b) c@ is
+-- @'sipHash3' key a b c@.
+sipThird :: SipState -> Word64 -> Word64
+sipThird state c = third state c
+{-# NOINLINE sipThird #-}
+
+third :: SipState -> Word64 -> Word64
+third state c = finish (24 `unsafeShiftL` 56) (absorb c state)
+{-# INLINE third #-}
 
 -- | The state before the first word. The constants are the ASCII text
 -- "somepseudorandomlygeneratedbytes".
