@@ -62,7 +62,7 @@ sipHash2 key a b =
 
 -- | The hash of three words: of 24 bytes.
 sipHash3 :: SipKey -> Word64 -> Word64 -> Word64 -> Word64
-sipHash3 key a b c = third (absorb b (absorb a (initial key))) c
+sipHash3 key a b = third (absorb b (absorb a (initial key)))
 
 -- | What 'sipHash3' has made of the key and the first two words: a third of its work,
 -- to be done once for many third words.
@@ -72,7 +72,7 @@ sipAfter2 key a b = absorb b (absorb a (initial key))
 -- | The hash after the third word: @sipThird ('sipAfter2' key a b) c@ is
 -- @'sipHash3' key a b c@.
 sipThird :: SipState -> Word64 -> Word64
-sipThird state c = third state c
+sipThird = third
 {-# NOINLINE sipThird #-}
 
 third :: SipState -> Word64 -> Word64

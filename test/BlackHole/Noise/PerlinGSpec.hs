@@ -58,7 +58,9 @@ gradients = do
     chiSquared (map gradient2 hashes) `shouldSatisfy` (< 37)
 
 latticeHashes :: Spec
-latticeHashes =
+latticeHashes = do
+  prop "are those of the points on a line, around the torus" $ \s (AnyLevel l) x y z z' ->
+    lineHash3 (latticeLine3 (Seed s) (latticePoint3 l x y z)) z' === latticeHash3 (Seed s) (latticePoint3 l x y z')
   it "differ by seed, level, dimension, coordinate and order of coordinates" $ do
     let values =
           [ latticeHash3 (Seed s) (latticePoint3 (clampedLevel l) x y z)

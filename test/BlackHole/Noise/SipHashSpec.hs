@@ -2,7 +2,7 @@
 
 module BlackHole.Noise.SipHashSpec (spec) where
 
-import BlackHole.Noise.SipHash (SipKey (..), sipHash, sipHash2, sipHash3)
+import BlackHole.Noise.SipHash (SipKey (..), sipAfter2, sipHash, sipHash2, sipHash3, sipThird)
 import Data.Bits (shiftR)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Builder as Builder
@@ -31,6 +31,9 @@ spec = do
 
   prop "three words are their 24 bytes" $ \k0 k1 a b c ->
     sipHash3 (SipKey k0 k1) a b c === sipHash (SipKey k0 k1) (bytesOf [a, b, c])
+
+  prop "hashes a third word after two as it hashes three at once" $ \k0 k1 a b c ->
+    sipThird (sipAfter2 (SipKey k0 k1) a b) c === sipHash3 (SipKey k0 k1) a b c
 
 publishedKey :: SipKey
 publishedKey = SipKey 0x0706050403020100 0x0f0e0d0c0b0a0908
