@@ -114,8 +114,10 @@ megabytes = maybe "-" (printf "%.0f") . runMegabytes
 
 reportScaling :: ([String] -> Work -> IO Run) -> Work -> IO ()
 reportScaling drawn work = do
-  one <- medianOf 3 (drawn ["--threads", "1"] work)
-  two <- medianOf 3 (drawn ["--threads", "2"] work)
+  -- In turns: what else the machine does comes to both.
+  runs <- replicateM 5 ((,) <$> drawn ["--threads", "1"] work <*> drawn ["--threads", "2"] work)
+  let one = medianRun (map fst runs)
+      two = medianRun (map snd runs)
   printf "%-46s %8.2f %8.2f %6.2f\n" (workName work) (runSeconds one) (runSeconds two) (runSeconds one / runSeconds two)
 
 reportPrice :: ([String] -> Work -> IO Run) -> (String, [String], [String]) -> IO ()
@@ -210,11 +212,13 @@ timed action = do
   end <- getMonotonicTime
   pure (end - start, result)
 
--- | The run of the median time of several.
+-- | 'medianRun' of so many.
 medianOf :: Int -> IO Run -> IO Run
-medianOf count action = do
-  runs <- replicateM count action
-  pure (Run (median (map runSeconds runs)) (maximum (map runMegabytes runs)))
+medianOf count action = medianRun <$> replicateM count action
+
+-- | The median of the times, and the most memory.
+medianRun :: [Run] -> Run
+medianRun runs = Run (median (map runSeconds runs)) (maximum (map runMegabytes runs))
 
 -- | The middle one, or the higher of the two; 0 of none.
 median :: [Double] -> Double

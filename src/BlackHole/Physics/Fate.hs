@@ -13,7 +13,7 @@ data Fate
     Captured
   | -- | It leaves for the sky in this direction (unit length). Never the
     -- point it happened to stop at: the sky is infinitely far away.
-    Escaped {-# UNPACK #-} !XYZ
+    Escaped !XYZ
   | -- | What lies in front hides the rest.
     Opaque
   | -- | The allowed number of steps was spent, close to the photon sphere as

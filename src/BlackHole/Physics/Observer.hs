@@ -25,6 +25,7 @@ import BlackHole.Physics.Spacetime (Spacetime (..))
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^), (^-^))
 import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Maybe (fromMaybe)
+import GHC.Exts (lazy)
 
 -- | The motion of whoever looks.
 data Observer
@@ -60,7 +61,7 @@ observerRange Schwarzschild observer = case observer of
 -- | One line of sight.
 data SightLine = SightLine
   { -- | The photon to follow backwards, of unit energy.
-    sightPhoton :: {-# UNPACK #-} !Photon,
+    sightPhoton :: !Photon,
     -- | Frequency seen by the observer over the frequency at infinity: what
     -- shifts the light of the sky.
     sightFrequency :: {-# UNPACK #-} !Double
@@ -112,27 +113,31 @@ sightLine space observer place = sightFrom (eye space observer place)
 -- along it (inside the horizon), or where no such observer exists
 -- ('observerRange').
 sightFrom :: Eye -> XYZ -> Maybe SightLine
-sightFrom (Eye kind place radial dilation infall azimuthal speed) !direction = case kind of
+sightFrom prepared !direction = case kind of
   Nobody -> Nothing
-  InFlatSpace -> (\d -> SightLine (Photon place d) 1) <$> XYZ.normalize direction
-  Near Coordinate -> (`SightLine` 1) <$> withUnitEnergy (Photon place direction)
+  InFlatSpace -> XYZ.normalize direction >>= \d -> along (Photon place d) 1
+  Near Coordinate -> withUnitEnergy (Photon place direction) >>= \photon -> along photon 1
   Near Static -> static direction
   Near Orbiting ->
     -- The light itself moves along −direction, so what is boosted back into the
     -- static frame is the momentum −direction; its reverse is the direction seen
     -- there.
-    let along = XYZ.dot azimuthal direction
+    let forwards = XYZ.dot azimuthal direction
         -- Frequency in the static frame of light of frequency one here.
-        frequency = gamma * (1 - speed * along)
-        momentum = direction ^+^ ((gamma - 1) * along - gamma * speed) *^ azimuthal
-     in (\(SightLine photon shift) -> SightLine photon (shift / frequency)) <$> static ((1 / frequency) *^ momentum)
+        frequency = gamma * (1 - speed * forwards)
+        momentum = direction ^+^ ((gamma - 1) * forwards - gamma * speed) *^ azimuthal
+     in static ((1 / frequency) *^ momentum) >>= \(SightLine photon shift) -> along photon (shift / frequency)
   Near Falling -> fromEnergy (1 + infall * XYZ.dot radial direction) (direction ^+^ infall *^ radial)
   where
+    -- So that GHC passes the parts of the direction one by one, not those of the
+    -- eye, and no direction is made on the heap.
+    Eye kind place radial dilation infall azimuthal speed = lazy prepared
     gamma = 1 / sqrt (1 - speed * speed)
+    along photon shift = Just $! SightLine photon shift
     -- Light of frequency one to the observer has this energy at infinity and
     -- this pseudo-velocity; scale both to unit energy.
     fromEnergy energy velocity
-      | energy > 0 = Just (SightLine (Photon place ((1 / energy) *^ velocity)) (1 / energy))
+      | energy > 0 = along (Photon place ((1 / energy) *^ velocity)) (1 / energy)
       | otherwise = Nothing
     -- The static observer's radial unit of length is shorter than the
     -- coordinate's: only the radial part of a direction changes.

@@ -2,6 +2,9 @@
 module BlackHole.Scene.Shifts
   ( Shifts (..),
     shiftFactor,
+    SkyShift,
+    skyShiftAt,
+    noSkyShift,
     skyShift,
   )
 where
@@ -25,11 +28,29 @@ shiftFactor (Shifts doppler gravity) shift =
     * (if doppler then redshiftDoppler shift else 1)
 {-# INLINE shiftFactor #-}
 
--- | The part of g that counts for light from the sky: by the observer's
--- distance from the hole and his ν_obs/E∞. Inside the horizon nobody is at
+-- | The part of g that counts for light from the sky, for an observer at one place:
+-- a factor, and by what his ν_obs/E∞ is divided if that counts.
+data SkyShift
+  = SteadyShift {-# UNPACK #-} !Double
+  | ShiftByFrequency {-# UNPACK #-} !Double {-# UNPACK #-} !Double
+
+-- | For an observer at a distance from the hole. Inside the horizon nobody is at
 -- rest, and gravity's part is not to be told from motion's.
-skyShift :: Shifts -> Double -> Double -> Double
-skyShift (Shifts doppler gravity) r = case staticObserver r of
-  Just static -> \observed ->
-    (if gravity then static else 1) * (if doppler then observed / static else 1)
-  Nothing -> \observed -> if doppler || gravity then observed else 1
+skyShiftAt :: Shifts -> Double -> SkyShift
+skyShiftAt (Shifts doppler gravity) r = case staticObserver r of
+  Just static -> shift (if gravity then static else 1) static doppler
+  Nothing -> shift 1 1 (doppler || gravity)
+  where
+    shift factor static moving
+      | moving = ShiftByFrequency factor static
+      | otherwise = SteadyShift factor
+
+-- | None, as where there is no gravity.
+noSkyShift :: SkyShift
+noSkyShift = SteadyShift 1
+
+-- | The part of g, by the observer's ν_obs/E∞.
+skyShift :: SkyShift -> Double -> Double
+skyShift (SteadyShift factor) _ = factor
+skyShift (ShiftByFrequency factor static) observed = factor * (observed / static)
+{-# INLINE skyShift #-}

@@ -42,7 +42,7 @@ import BlackHole.Physics.SweptPath
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Disk (Disk)
 import BlackHole.Scene.Scene
-import BlackHole.Scene.Shifts (skyShift)
+import BlackHole.Scene.Shifts (SkyShift, noSkyShift, skyShift, skyShiftAt)
 import BlackHole.Trace.Beam
 import BlackHole.Trace.Estimate
 import BlackHole.Trace.Gas
@@ -62,8 +62,8 @@ data Tracer = Tracer
     tracerEye :: !Eye,
     -- | The exposure's factor.
     tracerGain :: !Double,
-    -- | The part of g that counts for the sky, by the observer's frequency.
-    tracerSkyShift :: !(Double -> Double),
+    -- | The part of g that counts for the sky.
+    tracerSkyShift :: !SkyShift,
     tracerRegion :: !Region,
     -- | Made when first used, like the next.
     tracerMatter :: Matter,
@@ -98,8 +98,8 @@ tracerUnder picture scene = do
         tracerGain = 2 ** stops,
         tracerEye = eye (sceneSpacetime scene) (sceneObserver scene) place,
         tracerSkyShift = case sceneSpacetime scene of
-          Flat -> const 1
-          Schwarzschild -> skyShift (sceneShifts scene) (XYZ.norm place),
+          Flat -> noSkyShift
+          Schwarzschild -> skyShiftAt (sceneShifts scene) (XYZ.norm place),
         tracerRegion = sceneRegion scene,
         tracerMatter = matter,
         tracerTable = table,
@@ -261,14 +261,14 @@ tracedGas traced observed = case tracerMatter traced of
 -- picture, with no gas in between.
 tracedSky :: Tracer -> XY -> SightLine -> Fate -> Radiance
 tracedSky traced point sight fate = case fate of
-  Escaped direction -> case tracerSky traced of
-    ByDirection shader -> shader shift direction
-    ByBeam shader -> maybe black (shader shift) (tracedBeam traced point sight direction)
+  Escaped direction ->
+    let !shift = skyShift (tracerSkyShift traced) (sightFrequency sight)
+     in case tracerSky traced of
+          ByDirection shader -> shader shift direction
+          ByBeam shader -> maybe black (shader shift) (tracedBeam traced point sight direction)
   Captured -> black
   Opaque -> black
   StepLimit -> black
-  where
-    shift = tracerSkyShift traced (sightFrequency sight)
 
 -- | The beam behind a point of the picture, past all gas, from the line of sight
 -- through it and the direction in which it escapes: by the table of paths, or

@@ -93,6 +93,16 @@ spec = do
         length long `shouldSatisfy` (> 10)
         -- What a ray needs for itself; a stretch once took a hundred bytes.
         maximum long `shouldSatisfy` (< 3300)
+  it "leaves little on the heap of a ray through empty space" . whenOptimised $
+    case tracer defaultScene {sceneDisk = Nothing, sceneSky = SkyGrid} of
+      Nothing -> expectationFailure "no scene"
+      Just traced -> do
+        let points = [XY x y | x <- [100, 300 .. 1200], y <- [50, 90 .. 700]]
+        _ <- evaluate (sum [luminance (sightRadiance traced point) | point <- points])
+        bytes <- mapM (allocatedBytes . sightRadiance traced) points
+        -- Its photon, its end and its light. It once was twice as much, and took a
+        -- tenth more time.
+        maximum bytes `shouldSatisfy` (< 360)
 
 light :: Scene -> XY -> Radiance
 light scene point = maybe (Radiance (0 / 0) 0 0) (`sightRadiance` point) (tracer scene)
