@@ -22,12 +22,13 @@ import TableError
 import Text.Printf (printf)
 import Text.Read (readMaybe)
 
--- | What a run of the program took.
-data Run = Run
-  { runSeconds :: !Double,
+-- | Draws a picture with more options and says what that took.
+data Drawing = Drawing
+  { -- | Seconds, with nobody looking on.
+    drawingTime :: [String] -> Work -> IO Double,
     -- | Greatest resident memory in megabytes; 'Nothing' where the system does
     -- not say.
-    runMegabytes :: !(Maybe Double)
+    drawingMemory :: [String] -> Work -> IO (Maybe Double)
   }
 
 -- | A picture to draw.
@@ -40,26 +41,24 @@ data Work = Work
   }
 
 -- | @printTable program huge@ prints everything to standard output, with a
--- picture of 7680 × 4320 if it is to be huge. Four minutes on two free cores.
+-- picture of 7680 × 4320 if it is to be huge. Six minutes on two free cores.
 printTable :: FilePath -> Bool -> IO ()
 printTable program huge = do
   hSetBuffering stdout LineBuffering
   folder <- getTemporaryDirectory
   let output = folder </> "blackhole-bench.png"
-      drawn = draw program output
+      drawing = Drawing (timeToDraw program output) (memoryToDraw program output)
   flip finally (removeFile output `catchIOError` const (pure ())) $ do
     printf "%-46s %8s %8s %6s  %s\n" "picture" "s" "Mray/s" "MB" "target"
-    mapM_ (\work -> medianOf 3 (drawn [] work) >>= reportWork work) works
-    leapfrog <- drawn [] reportLeapfrog
-    reportWork reportLeapfrog leapfrog
-    tabulated <- medianOf 3 (drawn [] reportTable)
-    printf "the table against the leapfrog: %.1f times as fast\n\n" (runSeconds leapfrog / runSeconds tabulated)
+    tabulated <- mapM (reportWork drawing 3) works
+    leapfrog <- reportWork drawing 1 reportLeapfrog
+    mapM_ (printf "the table against the leapfrog: %.1f times as fast\n\n" . (leapfrog /)) (take 1 tabulated)
     printf "%-46s %8s %8s %6s\n" "price of a feature, default scene, 960 × 540" "without" "with" "ratio"
-    mapM_ (reportPrice drawn) prices
+    mapM_ (reportPrice drawing) prices
     printf "\n%-46s %8s %8s %6s  %s\n" "two workers against one" "1, s" "2, s" "ratio" "target 1.85"
-    mapM_ (reportScaling drawn) scalings
+    mapM_ (reportScaling drawing) scalings
     printf "\n%-46s %8s %8s %6s\n" "cost per pixel, default scene, 1 sample" "s" "µs/pixel" "MB"
-    mapM_ (reportSize drawn) ([320, 640, 1280, 1920, 3840] ++ [7680 | huge])
+    mapM_ (reportSize drawing) ([320, 640, 1280, 1920, 3840] ++ [7680 | huge])
   putStrLn ""
   reportErrors
   putStrLn ""
@@ -68,6 +67,7 @@ printTable program huge = do
   putStrLn ""
   mapM_ (reportStart program) ["--version", "--help"]
 
+-- | The report's comes first: it is compared with the leapfrog.
 works :: [Work]
 works =
   [ reportTable,
@@ -105,34 +105,42 @@ scalings =
 megarays :: Work -> Double
 megarays work = fromIntegral (workWidth work * (workWidth work * 9 `quot` 16) * workSamples work) / 1e6
 
-reportWork :: Work -> Run -> IO ()
-reportWork work run =
-  printf "%-46s %8.2f %8.2f %6s  %s\n" (workName work) (runSeconds run) (megarays work / runSeconds run) (megabytes run) (workTarget work)
+-- | One row, from so many runs; their median is the result.
+reportWork :: Drawing -> Int -> Work -> IO Double
+reportWork drawing count work = do
+  seconds <- median <$> replicateM count (drawingTime drawing [] work)
+  memory <- drawingMemory drawing [] work
+  printf "%-46s %8.2f %8.2f %6s  %s\n" (workName work) seconds (megarays work / seconds) (megabytes memory) (workTarget work)
+  pure seconds
 
-megabytes :: Run -> String
-megabytes = maybe "-" (printf "%.0f") . runMegabytes
+megabytes :: Maybe Double -> String
+megabytes = maybe "-" (printf "%.0f")
 
-reportScaling :: ([String] -> Work -> IO Run) -> Work -> IO ()
-reportScaling drawn work = do
-  -- In turns: what else the machine does comes to both.
-  runs <- replicateM 5 ((,) <$> drawn ["--threads", "1"] work <*> drawn ["--threads", "2"] work)
-  let one = medianRun (map fst runs)
-      two = medianRun (map snd runs)
-  printf "%-46s %8.2f %8.2f %6.2f\n" (workName work) (runSeconds one) (runSeconds two) (runSeconds one / runSeconds two)
+-- | In turns: what else the machine does comes to both.
+reportScaling :: Drawing -> Work -> IO ()
+reportScaling drawing work = do
+  (ones, twos) <- inTurns 5 (drawingTime drawing ["--threads", "1"] work) (drawingTime drawing ["--threads", "2"] work)
+  printf "%-46s %8.2f %8.2f %6.2f\n" (workName work) ones twos (ones / twos)
 
-reportPrice :: ([String] -> Work -> IO Run) -> (String, [String], [String]) -> IO ()
-reportPrice drawn (name, before, after) = do
-  without <- medianOf 3 (drawn before work)
-  with <- medianOf 3 (drawn after work)
-  printf "%-46s %8.2f %8.2f %6.2f\n" name (runSeconds without) (runSeconds with) (runSeconds with / runSeconds without)
+reportPrice :: Drawing -> (String, [String], [String]) -> IO ()
+reportPrice drawing (name, before, after) = do
+  (without, with) <- inTurns 3 (drawingTime drawing before work) (drawingTime drawing after work)
+  printf "%-46s %8.2f %8.2f %6.2f\n" name without with (with / without)
   where
     work = Work name [] 960 4 ""
 
-reportSize :: ([String] -> Work -> IO Run) -> Int -> IO ()
-reportSize drawn width = do
+-- | The medians of two measurements that are taken so many times.
+inTurns :: Int -> IO Double -> IO Double -> IO (Double, Double)
+inTurns count one two = do
+  pairs <- replicateM count ((,) <$> one <*> two)
+  pure (median (map fst pairs), median (map snd pairs))
+
+reportSize :: Drawing -> Int -> IO ()
+reportSize drawing width = do
   let work = Work (show width ++ " × " ++ show (width * 9 `quot` 16)) [] width 1 ""
-  run <- medianOf (if width > 1920 then 1 else 3) (drawn [] work)
-  printf "%-46s %8.2f %8.2f %6s\n" (workName work) (runSeconds run) (runSeconds run / megarays work) (megabytes run)
+  seconds <- median <$> replicateM (if width > 1920 then 1 else 3) (drawingTime drawing [] work)
+  memory <- drawingMemory drawing [] work
+  printf "%-46s %8.2f %8.2f %6s\n" (workName work) seconds (seconds / megarays work) (megabytes memory)
 
 -- | Against the closed form.
 reportErrors :: IO ()
@@ -164,25 +172,35 @@ reportStart program option = do
   times <- replicateM 15 (fst <$> timed (readProcess program [option] ""))
   printf "blackhole %s: %.0f ms (target 30)\n" option (1000 * median times)
 
--- | Draw a picture with more options.
-draw :: FilePath -> FilePath -> [String] -> Work -> IO Run
-draw program output more work = do
+timeToDraw :: FilePath -> FilePath -> [String] -> Work -> IO Double
+timeToDraw program output more work =
+  fst <$> timed (drawn output (callProcess program (arguments output more work)))
+
+memoryToDraw :: FilePath -> FilePath -> [String] -> Work -> IO (Maybe Double)
+memoryToDraw program output more work =
+  drawn output (watched program (arguments output more work))
+
+-- | An action that has to leave a new file there.
+drawn :: FilePath -> IO a -> IO a
+drawn output act = do
   doesFileExist output >>= \there -> when there (removeFile output)
-  (seconds, memory) <- timed (watched program arguments)
+  result <- act
   made <- doesFileExist output
-  unless made $ ioError (userError (unwords (program : arguments) ++ ": no picture"))
-  pure (Run seconds memory)
-  where
-    arguments =
-      ["render", "--quiet"] ++ workOptions work
-        ++ ["--width", show (workWidth work), "--samples", show (workSamples work), "-o", output]
-        ++ more
+  unless made $ ioError (userError (output ++ ": no picture"))
+  pure result
+
+arguments :: FilePath -> [String] -> Work -> [String]
+arguments output more work =
+  ["render", "--quiet"] ++ workOptions work
+    ++ ["--width", show (workWidth work), "--samples", show (workSamples work), "-o", output]
+    ++ more
 
 -- | Run a program to its end; the greatest resident memory it had, in megabytes,
--- is looked up in @/proc@ some hundred times a second.
+-- is looked up in @/proc@ some hundred times a second, which takes time that a
+-- second worker would have.
 watched :: FilePath -> [String] -> IO (Maybe Double)
-watched program arguments =
-  withCreateProcess (proc program arguments) {std_out = CreatePipe, std_err = Inherit} $ \_ _ _ process -> do
+watched program options =
+  withCreateProcess (proc program options) {std_out = CreatePipe, std_err = Inherit} $ \_ _ _ process -> do
     let follow greatest = do
           now <- getPid process >>= maybe (pure Nothing) residentMegabytes
           ended <- getProcessExitCode process
@@ -211,14 +229,6 @@ timed action = do
   result <- action
   end <- getMonotonicTime
   pure (end - start, result)
-
--- | 'medianRun' of so many.
-medianOf :: Int -> IO Run -> IO Run
-medianOf count action = medianRun <$> replicateM count action
-
--- | The median of the times, and the most memory.
-medianRun :: [Run] -> Run
-medianRun runs = Run (median (map runSeconds runs)) (maximum (map runMegabytes runs))
 
 -- | The middle one, or the higher of the two; 0 of none.
 median :: [Double] -> Double
