@@ -30,6 +30,7 @@ import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Char8 as Characters
 import Data.ByteString.Internal (unsafeCreate)
 import qualified Data.ByteString.Lazy as Lazy
+import Data.Maybe (catMaybes)
 import qualified Data.Vector.Storable as Vector
 import Data.Word (Word16, Word64, Word8)
 import Foreign.Marshal.Alloc (allocaBytes)
@@ -59,11 +60,10 @@ encodePng crew label codes = do
 -- that breaks off, as soon as a band is missing or of another shape.
 encodePngBands :: Workers -> Label -> PixelShape -> Int -> ((Int, Int) -> IO (Maybe Codes)) -> (ByteString -> IO ()) -> IO Bool
 encodePngBands crew label shape bytes rowsOf put = do
-  put (pngStart label shape bytes)
-  go mempty (inGroups (stripsOf shape bytes))
+  go mempty [pngStart label shape bytes] (inGroups (stripsOf shape bytes))
   where
-    go !total [] = True <$ put (pngEnd total)
-    go !total (strips : rest) = do
+    go !total ready [] = True <$ mapM_ put (ready ++ [pngEnd total])
+    go !total ready (strips : rest) = do
       let first = minimum [from | Rows from _ _ <- strips]
           count = maximum [to | Rows _ to _ <- strips] - first
       band <- rowsOf (first, count)
@@ -71,9 +71,9 @@ encodePngBands crew label shape bytes rowsOf put = do
         Just codes
           | codesShape codes `fits` count,
             codeBytes codes == bytes -> do
-            done <- mapShared crew (pure . compressedStrip codes) [Rows (from - first) (to - first) place | Rows from to place <- strips]
-            mapM_ (\(Strip _ piece) -> put piece) done
-            go (total <> mconcat [part | Strip part _ <- done]) rest
+            -- While one worker writes what is ready, the others go on.
+            done <- catMaybes <$> mapShared crew id ((Nothing <$ mapM_ put ready) : [pure $! Just $! compressedStrip codes (Rows (from - first) (to - first) place) | Rows from to place <- strips])
+            go (total <> mconcat [part | Strip part _ <- done]) [piece | Strip _ piece <- done] rest
         _ -> pure False
     fits part count = (shapeWidth part, shapeHeight part, shapeChannels part) == (shapeWidth shape, count, shapeChannels shape)
     inGroups strips = case splitAt (4 * workersCount crew) strips of
