@@ -15,6 +15,7 @@ import BlackHole.Image.Label
 import BlackHole.Image.Moments
 import BlackHole.Image.Png
 import BlackHole.Image.Tiff
+import BlackHole.Light.Display (developer)
 import BlackHole.Render.Bloom
 import BlackHole.Render.Film
 import BlackHole.Render.Layer
@@ -104,10 +105,13 @@ finishBands crew software format coding scenes@(scene :| _) sharpRows countsOf =
             let count = min (16 * workersCount crew) (height - first)
             band <- rowsOf (first, count)
             maybe (pure False) (\film -> act film >> go (first + count)) band
-    codes rowsOf range = rowsOf range >>= traverse (developed (fst range))
-    developed first film
-      | bits == 16 = Codes16 <$> finely film
-      | otherwise = Codes8 <$> developRows first crew (sceneExposure scene) (sceneToneMap scene) (sceneDither scene) film
+    codes rowsOf range = fmap (codesOf (fst range)) <$> rowsOf range
+    codesOf bandFirst film (first, count) = do
+      rows <- filmRows film (first - bandFirst, count)
+      if bits == 16
+        then Codes16 <$> finelyDevelopedRows prepared rows
+        else Codes8 <$> developedRows prepared (sceneDither scene) first rows
+    prepared = developer (sceneExposure scene) (sceneToneMap scene)
     finely = developFilmFinely crew (sceneExposure scene) (sceneToneMap scene)
 
 -- | What a picture of some scenes says of itself.

@@ -22,6 +22,7 @@ import BlackHole.Render.PixelArray (PixelArray, pixelArrayShape, toPixelVector)
 import BlackHole.Render.PixelShape
 import BlackHole.Render.Shared (mapShared)
 import BlackHole.Render.Workers (Workers, workersCount)
+import Control.Exception (evaluate)
 import Data.Bits (complement, shiftR, xor, (.&.), (.|.))
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
@@ -30,7 +31,6 @@ import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Char8 as Characters
 import Data.ByteString.Internal (unsafeCreate)
 import qualified Data.ByteString.Lazy as Lazy
-import Data.Maybe (catMaybes)
 import qualified Data.Vector.Storable as Vector
 import Data.Word (Word16, Word64, Word8)
 import Foreign.Marshal.Alloc (allocaBytes)
@@ -55,28 +55,36 @@ encodePng crew label codes = do
 
 -- | @encodePngBands workers label shape bytes rowsOf put@: the same file of a
 -- picture that need not be in memory as a whole. @rowsOf (first, count)@ gives its
--- bands of rows one after the other, with so many bytes per number as was said; @put@
--- takes the file's bytes. Some megabytes of pixels at a time. 'False', with a file
--- that breaks off, as soon as a band is missing or of another shape.
-encodePngBands :: Workers -> Label -> PixelShape -> Int -> ((Int, Int) -> IO (Maybe Codes)) -> (ByteString -> IO ()) -> IO Bool
-encodePngBands crew label shape bytes rowsOf put = do
+-- bands of rows one after the other, some megabytes of pixels at a time; of a band
+-- the workers ask the codes of a few rows, first and count again as in the picture,
+-- with so many bytes per number as was said. @put@ takes the file's bytes. 'False',
+-- with a file that breaks off, as soon as a band or rows of it are missing or of
+-- another shape.
+encodePngBands :: Workers -> Label -> PixelShape -> Int -> ((Int, Int) -> IO (Maybe ((Int, Int) -> Maybe Codes))) -> (ByteString -> IO ()) -> IO Bool
+encodePngBands crew label shape bytes rowsOf put =
   go mempty [pngStart label shape bytes] (inGroups (stripsOf shape bytes))
   where
     go !total ready [] = True <$ mapM_ put (ready ++ [pngEnd total])
     go !total ready (strips : rest) = do
       let first = minimum [from | Rows from _ _ <- strips]
-          count = maximum [to | Rows _ to _ <- strips] - first
-      band <- rowsOf (first, count)
-      case band of
-        Just codes
-          | codesShape codes `fits` count,
-            codeBytes codes == bytes -> do
-            -- While one worker writes what is ready, the others go on.
-            done <- catMaybes <$> mapShared crew id ((Nothing <$ mapM_ put ready) : [pure $! Just $! compressedStrip codes (Rows (from - first) (to - first) place) | Rows from to place <- strips])
-            go (total <> mconcat [part | Strip part _ <- done]) [piece | Strip _ piece <- done] rest
-        _ -> pure False
-    fits part count = (shapeWidth part, shapeHeight part, shapeChannels part) == (shapeWidth shape, count, shapeChannels shape)
-    inGroups strips = case splitAt (4 * workersCount crew) strips of
+      band <- rowsOf (first, maximum [to | Rows _ to _ <- strips] - first)
+      -- While one worker writes what is ready, the others go on.
+      done <- case band of
+        Nothing -> pure Nothing
+        Just codesOf -> sequence . drop 1 <$> mapShared crew id ((Nothing <$ mapM_ put ready) : map (evaluate . stripOf codesOf) strips)
+      case done of
+        Nothing -> pure False
+        Just made -> go (total <> mconcat [part | Strip part _ <- made]) [piece | Strip _ piece <- made] rest
+    stripOf codesOf (Rows from to place) = do
+      codes <- codesOf (from, to - from)
+      let part = codesShape codes
+      if (shapeWidth part, shapeHeight part, shapeChannels part) == (shapeWidth shape, to - from, shapeChannels shape) && codeBytes codes == bytes
+        then Just $! compressedStrip codes (Rows 0 (to - from) place)
+        else Nothing
+    -- At the end of a group workers wait for the last of them; a strip of 8 bits
+    -- stands for a megabyte of light.
+    groupSize = max (2 * workersCount crew) (min 48 (16 * workersCount crew))
+    inGroups strips = case splitAt groupSize strips of
       ([], _) -> []
       (group, rest) -> group : inGroups rest
 

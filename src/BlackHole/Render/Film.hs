@@ -13,8 +13,9 @@ module BlackHole.Render.Film
     countsRow,
     filmRows,
     developFilm,
-    developRows,
+    developedRows,
     developFilmFinely,
+    finelyDevelopedRows,
     filmRadiance,
     faultyPixels,
   )
@@ -24,7 +25,7 @@ import BlackHole.Light.Display
 import BlackHole.Light.Dither (Dither)
 import BlackHole.Light.Radiance
 import BlackHole.Render.PixelArray
-import BlackHole.Render.PixelRows (mapRows, pixelChannels, pixelRow)
+import BlackHole.Render.PixelRows (convertedRows, mapRows, pixelChannels, pixelRow)
 import BlackHole.Render.PixelShape
 import BlackHole.Render.Shared (mapShared)
 import BlackHole.Render.Workers (Workers)
@@ -233,43 +234,45 @@ refineRow traced !width !sumsFirst sums !row pixels = go 0
 
 -- | What an 8-bit sRGB display is told: exposure, tone map, coding and dither.
 developFilm :: Workers -> Exposure -> ToneMap -> Dither -> Film -> IO (PixelArray Word8)
-developFilm = developRows 0
+developFilm workers exposure tone dither = mapRows workers (developRow (developer exposure tone) dither)
 
--- | The same for a band of a film whose first row is this one of the whole: the
--- dither depends on the place.
-developRows :: Int -> Workers -> Exposure -> ToneMap -> Dither -> Film -> IO (PixelArray Word8)
-developRows first workers exposure tone dither = mapRows workers (developRow . (first +))
+-- | The same of a few rows, without workers, the first of which has this number in
+-- the whole film: the dither depends on the place.
+developedRows :: Developer -> Dither -> Int -> Film -> Maybe (PixelArray Word8)
+developedRows prepared dither first = convertedRows (developRow prepared dither . (first +))
+
+developRow :: Developer -> Dither -> Int -> Vector Float -> MVector s Word8 -> ST s ()
+developRow !prepared !dither !row light codes = go 0 0
   where
-    !prepared = developer exposure tone
-    developRow :: Int -> Vector Float -> MVector s Word8 -> ST s ()
-    developRow !row light codes = go 0 0
-      where
-        go !column !i
-          | i >= Vector.length light = pure ()
-          | isBlackAt light i = go (column + 1) (i + 3)
-          | otherwise = do
-            let (r, g, b) = displayCode prepared dither column row (radianceAt light i)
-            MVector.unsafeWrite codes i r
-            MVector.unsafeWrite codes (i + 1) g
-            MVector.unsafeWrite codes (i + 2) b
-            go (column + 1) (i + 3)
+    go !column !i
+      | i >= Vector.length light = pure ()
+      | isBlackAt light i = go (column + 1) (i + 3)
+      | otherwise = do
+        let (r, g, b) = displayCode prepared dither column row (radianceAt light i)
+        MVector.unsafeWrite codes i r
+        MVector.unsafeWrite codes (i + 1) g
+        MVector.unsafeWrite codes (i + 2) b
+        go (column + 1) (i + 3)
 
--- | The same in 16 bits, which need no dither.
+-- | 'developFilm' in 16 bits, which need no dither.
 developFilmFinely :: Workers -> Exposure -> ToneMap -> Film -> IO (PixelArray Word16)
-developFilmFinely workers exposure tone = mapRows workers (const developRow)
+developFilmFinely workers exposure tone = mapRows workers (const (developRowFinely (developer exposure tone)))
+
+-- | The same of a few rows, without workers.
+finelyDevelopedRows :: Developer -> Film -> Maybe (PixelArray Word16)
+finelyDevelopedRows prepared = convertedRows (const (developRowFinely prepared))
+
+developRowFinely :: Developer -> Vector Float -> MVector s Word16 -> ST s ()
+developRowFinely !prepared light codes = go 0
   where
-    !prepared = developer exposure tone
-    developRow :: Vector Float -> MVector s Word16 -> ST s ()
-    developRow light codes = go 0
-      where
-        go !i
-          | i >= Vector.length light = pure ()
-          | otherwise = do
-            let Signal r g b = developSignal prepared (radianceAt light i)
-            MVector.unsafeWrite codes i (fineCode r)
-            MVector.unsafeWrite codes (i + 1) (fineCode g)
-            MVector.unsafeWrite codes (i + 2) (fineCode b)
-            go (i + 3)
+    go !i
+      | i >= Vector.length light = pure ()
+      | otherwise = do
+        let Signal r g b = developSignal prepared (radianceAt light i)
+        MVector.unsafeWrite codes i (fineCode r)
+        MVector.unsafeWrite codes (i + 1) (fineCode g)
+        MVector.unsafeWrite codes (i + 2) (fineCode b)
+        go (i + 3)
 
 -- | The radiance of the pixel in a column and a row; 'Nothing' outside.
 filmRadiance :: Film -> Int -> Int -> Maybe Radiance

@@ -5,17 +5,19 @@ module BlackHole.Render.PixelRows
   ( pixelRow,
     pixelChannels,
     mapRows,
+    convertedRows,
   )
 where
 
-import BlackHole.Render.PixelArray (PixelArray, generateRows, pixelArrayShape, toPixelVector)
-import BlackHole.Render.PixelShape (shapeChannels, shapeHeight, shapeRowLength, shapeWidth)
+import BlackHole.Render.PixelArray (PixelArray, fromPixelVector, generateRows, pixelArrayShape, toPixelVector)
+import BlackHole.Render.PixelShape (shapeChannels, shapeHeight, shapeLength, shapeRowLength, shapeWidth)
 import BlackHole.Render.Workers (Workers)
 import Control.Monad.ST (ST)
 import Data.Foldable (for_)
 import Data.Vector.Storable (Storable, Vector)
 import qualified Data.Vector.Storable as Vector
 import Data.Vector.Storable.Mutable (MVector)
+import qualified Data.Vector.Storable.Mutable as MVector
 
 -- | The numbers of row @y@ (0 is the top one), width × channels of them,
 -- without copying; 'Nothing' outside the array.
@@ -49,3 +51,20 @@ mapRows ::
 mapRows crew convert pixels =
   generateRows crew (const (pure ())) (pixelArrayShape pixels) $ \y new ->
     for_ (pixelRow pixels y) $ \old -> convert y old new
+
+-- | What 'mapRows' makes, without workers: for who is one himself and has a few rows
+-- to convert.
+convertedRows ::
+  (Storable a, Storable b, Num b) =>
+  (forall s. Int -> Vector a -> MVector s b -> ST s ()) ->
+  PixelArray a ->
+  Maybe (PixelArray b)
+convertedRows convert pixels =
+  fromPixelVector shape $
+    Vector.create $ do
+      made <- MVector.replicate (shapeLength shape) 0
+      for_ [0 .. shapeHeight shape - 1] $ \y ->
+        for_ (pixelRow pixels y) $ \old -> convert y old (MVector.slice (y * shapeRowLength shape) (shapeRowLength shape) made)
+      pure made
+  where
+    shape = pixelArrayShape pixels

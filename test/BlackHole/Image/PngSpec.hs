@@ -7,7 +7,7 @@ import BlackHole.Render.PixelArray
 import BlackHole.Render.PixelShape
 import BlackHole.Render.Workers
 import Codec.Picture hiding (encodePng)
-import Control.Monad (forM_)
+import Control.Monad (forM_, guard)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.IORef
@@ -31,18 +31,27 @@ spec = do
         asked <- newIORef []
         let bandOf range@(first, count) = do
               modifyIORef asked (range :)
-              pure $ do
-                shape <- pixelShape width count 3
-                Codes8 <$> fromPixelVector shape (Vector.slice (3 * width * first) (3 * width * count) (picture width height))
+              pure . Just $ \(from, rows) -> do
+                -- Of a band no other rows are to be had.
+                guard (from >= first && from + rows <= first + count)
+                shape <- pixelShape width rows 3
+                Codes8 <$> fromPixelVector shape (Vector.slice (3 * width * from) (3 * width * rows) (picture width height))
         done <- maybe (pure False) (\shape -> encodePngBands crew label shape 1 bandOf (\bytes -> modifyIORef written (bytes :))) (pixelShape width height 3)
         file <- readIORef written
         ranges <- readIORef asked
         (done, Lazy.fromChunks (reverse file) == whole) `shouldBe` (True, True)
         concat [[first .. first + count - 1] | (first, count) <- reverse ranges] `shouldBe` [0 .. height - 1]
-  it "breaks off when a band is missing or has another shape" $
-    forM_ [const (pure Nothing), const (pure (Codes8 <$> (pixelShape 4 4 3 >>= \shape -> fromPixelVector shape (picture 4 4))))] $ \bandOf -> do
-      done <- maybe (pure True) (\shape -> encodePngBands oneWorker label shape 1 bandOf (const (pure ()))) (pixelShape 5 4 3)
-      done `shouldBe` False
+  it "breaks off when a band or its rows are missing or have another shape or size" $
+    forM_
+      [ Nothing,
+        Just Nothing,
+        Just (Codes8 <$> (pixelShape 4 4 3 >>= \shape -> fromPixelVector shape (picture 4 4))),
+        Just (Codes16 <$> (pixelShape 5 4 3 >>= \shape -> fromPixelVector shape (Vector.replicate 60 0)))
+      ]
+      $ \band -> do
+        let bandOf = const (pure (const <$> band))
+        done <- maybe (pure True) (\shape -> encodePngBands oneWorker label shape 1 bandOf (const (pure ()))) (pixelShape 5 4 3)
+        done `shouldBe` False
   where
     label = Label "spec" defaultCoding Bytes.empty
     roundTrip (width, height) = do
