@@ -58,16 +58,17 @@ sipHash key bytes = go 0 (initial key)
 -- | The hash of two words: of 16 bytes.
 sipHash2 :: SipKey -> Word64 -> Word64 -> Word64
 sipHash2 key a b =
-  finish (16 `unsafeShiftL` 56) (absorb b (absorb a (initial key)))
+  finish (16 `unsafeShiftL` 56) (sipAfter2 key a b)
 
 -- | The hash of three words: of 24 bytes.
 sipHash3 :: SipKey -> Word64 -> Word64 -> Word64 -> Word64
-sipHash3 key a b = third (absorb b (absorb a (initial key)))
+sipHash3 key a b = third (sipAfter2 key a b)
 
 -- | What 'sipHash3' has made of the key and the first two words: a third of its work,
 -- to be done once for many third words.
 sipAfter2 :: SipKey -> Word64 -> Word64 -> SipState
 sipAfter2 key a b = absorb b (absorb a (initial key))
+{-# INLINE sipAfter2 #-}
 
 -- | The hash after the third word: @sipThird ('sipAfter2' key a b) c@ is
 -- @'sipHash3' key a b c@.

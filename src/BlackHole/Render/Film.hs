@@ -234,7 +234,9 @@ refineRow traced !width !sumsFirst sums !row pixels = go 0
 
 -- | What an 8-bit sRGB display is told: exposure, tone map, coding and dither.
 developFilm :: Workers -> Exposure -> ToneMap -> Dither -> Film -> IO (PixelArray Word8)
-developFilm workers exposure tone dither = mapRows workers (developRow (developer exposure tone) dither)
+developFilm workers exposure tone dither = mapRows workers (developRow prepared dither)
+  where
+    !prepared = developer exposure tone
 
 -- | The same of a few rows, without workers, the first of which has this number in
 -- the whole film: the dither depends on the place.
@@ -256,7 +258,9 @@ developRow !prepared !dither !row light codes = go 0 0
 
 -- | 'developFilm' in 16 bits, which need no dither.
 developFilmFinely :: Workers -> Exposure -> ToneMap -> Film -> IO (PixelArray Word16)
-developFilmFinely workers exposure tone = mapRows workers (const (developRowFinely (developer exposure tone)))
+developFilmFinely workers exposure tone = mapRows workers (const (developRowFinely prepared))
+  where
+    !prepared = developer exposure tone
 
 -- | The same of a few rows, without workers.
 finelyDevelopedRows :: Developer -> Film -> Maybe (PixelArray Word16)

@@ -13,6 +13,7 @@ import BlackHole.Scene.Sky
 import BlackHole.Trace.Pixel
 import BlackHole.Vector.XY (XY (..))
 import Control.Exception (evaluate)
+import Data.Int (Int64)
 import Support.Allocation (allocatedBytes, whenOptimised)
 import Support.Approx
 import Support.Generators
@@ -87,8 +88,7 @@ spec = do
       Just traced -> do
         let stretches point = maybe 0 (\sight -> followedSteps (followSight traced point sight (\() _ -> Onward ()) ())) (tracedSight traced point)
             points = [XY x y | x <- [100, 300 .. 1200], y <- [250, 290 .. 700]]
-        _ <- evaluate (sum [luminance (sightRadiance traced point) | point <- points])
-        bytes <- mapM (allocatedBytes . sightRadiance traced) points
+        bytes <- bytesOfRays traced points
         let long = [b | (b, point) <- zip bytes points, stretches point >= 16]
         length long `shouldSatisfy` (> 10)
         -- What a ray needs for itself; a stretch once took a hundred bytes.
@@ -98,11 +98,16 @@ spec = do
       Nothing -> expectationFailure "no scene"
       Just traced -> do
         let points = [XY x y | x <- [100, 300 .. 1200], y <- [50, 90 .. 700]]
-        _ <- evaluate (sum [luminance (sightRadiance traced point) | point <- points])
-        bytes <- mapM (allocatedBytes . sightRadiance traced) points
+        bytes <- bytesOfRays traced points
         -- Its photon, its end and its light. It once was twice as much, and took a
         -- tenth more time.
         maximum bytes `shouldSatisfy` (< 360)
+
+-- | What the rays through some points leave on the heap, when what they share is made.
+bytesOfRays :: Tracer -> [XY] -> IO [Int64]
+bytesOfRays traced points = do
+  _ <- evaluate (sum [luminance (sightRadiance traced point) | point <- points])
+  mapM (allocatedBytes . sightRadiance traced) points
 
 light :: Scene -> XY -> Radiance
 light scene point = maybe (Radiance (0 / 0) 0 0) (`sightRadiance` point) (tracer scene)
