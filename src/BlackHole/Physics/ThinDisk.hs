@@ -6,6 +6,7 @@ module BlackHole.Physics.ThinDisk
     peakRadius,
     peakFlux,
     relativeTemperature,
+    log1pMinus,
   )
 where
 
