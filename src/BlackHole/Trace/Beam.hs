@@ -36,8 +36,8 @@ data Beam = Beam
 -- | Solid angle of the sky behind one pixel in steradians: negative where the image is
 -- mirrored, 0 on a critical curve of the lens.
 --
--- The cross product of "down" and "right" in the picture points away from the camera,
--- so an image that is not mirrored counts as positive.
+-- The cross product of "right" and "down" in the picture points away from the camera, so
+-- an image that is not mirrored counts as positive.
 beamSolidAngle :: Beam -> Double
 beamSolidAngle (Beam d a b) = XYZ.dot d (XYZ.cross a b)
 {-# INLINE beamSolidAngle #-}
