@@ -1,4 +1,4 @@
--- | Vectors in the plane: strict, monomorphic 'Double' pairs.
+-- | Vectors in the plane: strict, monomorphic pairs of @Double@.
 --
 -- Import the module qualified, apart from the type and the operators:
 --

@@ -1,4 +1,4 @@
--- | Vectors in space: strict, monomorphic 'Double' triples.
+-- | Vectors in space: strict, monomorphic triples of @Double@.
 --
 -- Import the module qualified, apart from the type and the operators:
 --
