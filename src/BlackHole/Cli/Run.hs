@@ -32,7 +32,6 @@ import BlackHole.Image.Coding
 import BlackHole.Image.File (fileLabel)
 import BlackHole.Image.Finish
 import BlackHole.Image.Label
-import BlackHole.Image.Moments
 import BlackHole.Image.TileFile
 import BlackHole.Render.Bloom
 import BlackHole.Render.Film
@@ -392,7 +391,7 @@ renderedScene options = case renderFrom options of
     asked = renderCoding options
     coded coding scene = (scene, coding)
     fromLabel path label = do
-      scenes' <- traverse (resolveLabel (renderScene options) path) (splitMoments (labelScene label))
+      scenes' <- resolveLabel (renderScene options) path (labelScene label)
       -- Another format has other bits.
       let before
             | formatOf path == formatOf (renderOutput options) = labelCoding label
