@@ -13,6 +13,7 @@ module BlackHole.Image.AtomicFile
     checkWritable,
     WriteProblem (..),
     renderWriteProblem,
+    printable,
   )
 where
 
@@ -63,7 +64,7 @@ data WriteProblem
 
 -- | The problem in one line, without a final period.
 renderWriteProblem :: WriteProblem -> String
-renderWriteProblem problem = map plain $ case problem of
+renderWriteProblem problem = printable $ case problem of
   EmptyPath -> "cannot write a file with an empty name"
   TargetIsFolder path -> cannot path "it is a folder"
   TargetIsProtected path -> cannot path "the file is write-protected"
@@ -73,7 +74,11 @@ renderWriteProblem problem = map plain $ case problem of
   SystemRefused path reason -> cannot path reason
   where
     cannot path reason = "cannot write " ++ path ++ ": " ++ reason
-    plain c = if isControl c then '?' else c
+
+-- | A text that may hold names from elsewhere as a single line: control characters,
+-- newlines among them, become question marks.
+printable :: String -> String
+printable = map (\c -> if isControl c then '?' else c)
 
 -- | Write a file as a whole or not at all.
 --
