@@ -18,6 +18,8 @@ module BlackHole.Physics.Kerr.Latitude
     phaseAtStart,
     phaseAfter,
     planeCrossingTimes,
+    timesNearPlane,
+    phaseRate,
     phaseCosine,
     greatCircle,
     precession,
@@ -119,6 +121,24 @@ planeCrossingTimes l
     first = fromIntegral (floor (phaseAngle (_latitudeStart l) / pi + 1e-12) + 1 :: Int) :: Double
     time k =
       (incompleteF (_latitudeComplement l) (pi * k + 0.5 * pi) - _latitudeArgument l) / _latitudeRate l
+
+-- | @timesNearPlane latitude c@: the Mino times between which @|cos θ| ≤ c@, from the
+-- first such interval that ends after the start, in order and without end.
+timesNearPlane :: Latitude -> Double -> [(Double, Double)]
+timesNearPlane l limit
+  | _latitudeReach l <= limit = [(0, 1 / 0)]
+  | otherwise = [(max 0 (timeAt (pi * k - width)), timeAt (pi * k + width)) | k <- iterate (+ 1) first]
+  where
+    width = asin (limit / _latitudeReach l)
+    first = fromIntegral (ceiling ((phaseAngle (_latitudeStart l) - width) / pi) :: Int) :: Double
+    timeAt chi =
+      (incompleteF (_latitudeComplement l) (chi + 0.5 * pi) - _latitudeArgument l) / _latitudeRate l
+
+-- | d(cos θ)\/dτ at a phase.
+phaseRate :: Latitude -> Phase -> Double
+phaseRate l phase = _latitudeReach l * phaseCosineOf phase * sqrt (_latitudeBase2 l + _latitudeSpin2 l * u * u)
+  where
+    u = phaseCosine l phase
 
 -- | cos θ at a phase.
 phaseCosine :: Latitude -> Phase -> Double

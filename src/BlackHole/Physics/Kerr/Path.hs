@@ -13,6 +13,8 @@ module BlackHole.Physics.Kerr.Path
     KerrPoint (..),
     kerrPoint,
     kerrPlanePoints,
+    kerrCosineRate,
+    kerrPassages,
   )
 where
 
@@ -36,7 +38,13 @@ data KerrPath = KerrPath
     -- order met from the observer, whose own place does not count. None for a
     -- path that lies in the plane; at most a thousand for one that circles for
     -- ever.
-    kerrPlanePoints :: [KerrPoint]
+    kerrPlanePoints :: [KerrPoint],
+    -- | d(cos θ)\/dτ after a Mino time.
+    kerrCosineRate :: Double -> Double,
+    -- | @kerrPassages path r c@: the Mino times between which the path is within the
+    -- radius @r@ and can have @|cos θ| ≤ c@, in order and apart from each other. At most
+    -- a thousand for a path that circles for ever.
+    kerrPassages :: Double -> Double -> [(Double, Double)]
   }
 
 -- | An azimuth of the observer in radians: Boyer–Lindquist's φ, or the ingoing
@@ -89,7 +97,15 @@ closedPath hole azimuth ray r l =
            in Escapes (XYZ x (phaseCosine l phase) z),
       kerrPoint = \t -> pointAt t (phaseAfter l t),
       kerrPlanePoints =
-        [pointAt t phase | (t, phase) <- takeWhile ((< time) . fst) (take 1000 (planeCrossingTimes l))]
+        [pointAt t phase | (t, phase) <- takeWhile ((< time) . fst) (take 1000 (planeCrossingTimes l))],
+      kerrCosineRate = phaseRate l . phaseAfter l,
+      kerrPassages = \limit steepest -> case timeWithin r limit of
+        Nothing -> []
+        Just (from, to) ->
+          [ (max from begin, min to close)
+            | (begin, close) <- takeWhile ((< to) . fst) (take 1000 (timesNearPlane l steepest)),
+              close > from
+          ]
     }
   where
     (end, time) = radialEnd r
@@ -128,7 +144,9 @@ seriesOnly hole azimuth ray =
              in Escapes (XYZ x (seriesCosine end) z)
           else Captured,
       kerrPoint = pointAt,
-      kerrPlanePoints = filter ((> horizonRadius hole) . pointRadius) (map pointAt (seriesCrossingTimes path))
+      kerrPlanePoints = filter ((> horizonRadius hole) . pointRadius) (map pointAt (seriesCrossingTimes path)),
+      kerrCosineRate = seriesCosineRate path,
+      kerrPassages = seriesPassages path
     }
   where
     path = seriesPath hole ray

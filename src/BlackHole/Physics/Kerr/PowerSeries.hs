@@ -20,6 +20,8 @@ module BlackHole.Physics.Kerr.PowerSeries
     seriesPoint,
     seriesEnd,
     seriesCrossingTimes,
+    seriesCosineRate,
+    seriesPassages,
   )
 where
 
@@ -106,13 +108,16 @@ seriesEnd (SeriesPath parts) = sum (map partLength parts)
 
 -- | The point after a Mino time.
 seriesPoint :: SeriesPath -> Double -> SeriesPoint
-seriesPoint (SeriesPath parts) time = case dropWhile ended parts of
-  part : _ -> pointOf part (time - partStart part)
-  [] -> case reverse parts of
-    part : _ -> pointOf part (time - partStart part)
-    [] -> SeriesPoint 0 0 (1, 0) 0
+seriesPoint path time = let (part, t) = partAt path time in pointOf part t
+
+-- | The part of the path at a Mino time, and the time since it began.
+partAt :: SeriesPath -> Double -> (Part, Double)
+partAt (SeriesPath parts) time = go parts
   where
-    ended part = partStart part + partLength part < time
+    go (part : rest@(_ : _)) | partStart part + partLength part < time = go rest
+    go (part : _) = (part, time - partStart part)
+    -- A path has at least one part.
+    go [] = (Part 0 0 [] [] [] [] [], 0)
 
 pointOf :: Part -> Double -> SeriesPoint
 pointOf part t =
@@ -133,6 +138,24 @@ seriesCrossingTimes (SeriesPath parts) =
   ]
   where
     height part = evaluate (partY part)
+
+-- | d(cos θ)\/dτ after a Mino time.
+seriesCosineRate :: SeriesPath -> Double -> Double
+seriesCosineRate path time = let (part, t) = partAt path time in evaluate (derivative (partY part)) t
+
+-- | The Mino times between which the path may be within a radius and have at most this
+-- @|cos θ|@: whole parts, of which one with neither at its ends nor in its middle is
+-- left out.
+seriesPassages :: SeriesPath -> Double -> Double -> [(Double, Double)]
+seriesPassages (SeriesPath parts) limit steepest =
+  [ (partStart part, partStart part + partLength part)
+    | part <- parts,
+      any (within part) [0, 0.25, 0.5, 0.75, 1]
+  ]
+  where
+    within part t =
+      evaluate (partInverse part) (t * partLength part) * limit > 0.9
+        && abs (evaluate (partY part) (t * partLength part)) <= 1.2 * steepest
 
 evaluate :: [Double] -> Double -> Double
 evaluate series t = foldr (\coefficient rest -> coefficient + t * rest) 0 series

@@ -18,6 +18,7 @@ module BlackHole.Physics.Kerr.Radial
     radialEnd,
     RadialState (..),
     stateAfter,
+    timeWithin,
     stateAtEnd,
     dragging,
     regularDragging,
@@ -211,6 +212,33 @@ halfTurn complement root sine cosine
 -- | Where the motion ends, and after what Mino time.
 radialEnd :: Radial -> (RadialEnd, Double)
 radialEnd radius = (_radialEnd radius, (_radialStop radius - _radialStart radius) / _radialRate radius)
+
+-- | The Mino times between which the ray is within a radius; 'Nothing' if it never is.
+timeWithin :: Radial -> Double -> Maybe (Double, Double)
+timeWithin radius limit
+  | from < to = Just (from, to)
+  | otherwise = Nothing
+  where
+    (end, total) = radialEnd radius
+    start = _radialStart radius
+    starts = _radialStartRadius radius <= limit
+    timeAt x = (x - start) / _radialRate radius
+    (from, to) = case _radialShape radius of
+      shape@(Outer _ _ _ r4)
+        | r4 >= limit -> (1, 0)
+        | otherwise -> between shape
+      -- The turning point is the farthest.
+      shape@(Inner _ _ r3 _)
+        | starts -> (0, if r3 <= limit || start > 0 then total else timeAt (negate (argument shape)))
+        | otherwise -> (max 0 (timeAt (argument shape)), total)
+      shape -> between shape
+    argument shape = fst (argumentAt (_radialComplement radius) shape limit)
+    between shape =
+      ( if starts then 0 else if start < 0 then timeAt (negate (argument shape)) else 1 / 0,
+        case end of
+          AtInfinity -> timeAt (argument shape)
+          AtHorizon -> total
+      )
 
 -- | The radius after a Mino time within the motion.
 stateAfter :: Radial -> Double -> RadialState
