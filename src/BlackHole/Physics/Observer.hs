@@ -11,7 +11,9 @@ module BlackHole.Physics.Observer
   ( Observer (..),
     observerName,
     observerRange,
+    observerExists,
     SightLine (..),
+    sightFrequency,
     Eye,
     eye,
     eyePlace,
@@ -20,20 +22,29 @@ module BlackHole.Physics.Observer
   )
 where
 
+import BlackHole.Physics.Kerr.Landmarks
+import BlackHole.Physics.Kerr.Path (Azimuth (..))
+import BlackHole.Physics.Kerr.Sight
 import BlackHole.Physics.Photon
 import BlackHole.Physics.Spacetime (Spacetime (..))
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^), (^-^))
 import qualified BlackHole.Vector.XYZ as XYZ
-import Data.Maybe (fromMaybe)
+import Data.Maybe (fromMaybe, isJust)
 import GHC.Exts (lazy)
 
 -- | The motion of the observer.
 data Observer
   = -- | At rest, hovering on rockets.
     Static
+  | -- | Without angular momentum about the axis, turning with space around a rotating
+    -- hole; at rest around any other.
+    Zamo
   | -- | On the circular geodesic through the observer's position, right-handed about
-    -- the axis through the hole that lies closest to @+y@.
+    -- the axis through the hole that lies closest to @+y@; around a rotating hole off the
+    -- plane, on the spherical geodesic that turns back in latitude there.
     Orbiting
+  | -- | 'Orbiting', but left-handed.
+    CounterOrbiting
   | -- | Falling straight in from rest at infinity.
     Falling
   | -- | The camera of the design report, which corresponds to no physical observer. It
@@ -46,28 +57,75 @@ data Observer
 observerName :: Observer -> String
 observerName observer = case observer of
   Static -> "static"
+  Zamo -> "zamo"
   Orbiting -> "orbiting"
+  CounterOrbiting -> "counter-orbiting"
   Falling -> "falling"
   Coordinate -> "coordinate"
 
--- | The radius above which such an observer can exist.
-observerRange :: Spacetime -> Observer -> Double
-observerRange Flat _ = 1
-observerRange Schwarzschild observer = case observer of
-  Static -> 1
-  Orbiting -> 1.5
-  Falling -> 0
-  Coordinate -> 1
+-- | The radius above which such an observer can exist, at a position of this polar angle
+-- in radians. On orbits off the plane of a rotating hole it is a lower bound;
+-- 'observerExists' is exact.
+observerRange :: Spacetime -> Observer -> Double -> Double
+observerRange space observer polarAngle = case space of
+  Flat -> 1
+  Schwarzschild -> case observer of
+    Static -> 1
+    Zamo -> 1
+    Orbiting -> 1.5
+    CounterOrbiting -> 1.5
+    Falling -> 0
+    Coordinate -> 1
+  Kerr hole -> case observer of
+    Static -> ergosphereRadius hole (cos polarAngle)
+    Zamo -> horizonRadius hole
+    Orbiting -> horizonRadius hole
+    CounterOrbiting -> horizonRadius hole
+    Falling -> 0
+    Coordinate -> 1
 
--- | One line of sight.
-data SightLine = SightLine
-  { -- | The photon to follow backwards, of unit energy.
-    sightPhoton :: !Photon,
-    -- | Frequency seen by the observer over the frequency at infinity. This factor
-    -- shifts the light of the sky.
-    sightFrequency :: {-# UNPACK #-} !Double
-  }
+-- | Whether such an observer can exist at a position.
+observerExists :: Spacetime -> Observer -> XYZ -> Bool
+observerExists space observer place = case space of
+  Kerr hole
+    | Just motion <- kerrMotion observer,
+      motion /= InFreeFall ->
+      -- A direction against which no observer's motion turns the energy negative.
+      isJust (lightRay hole (kerrPlace place) motion (Direction 0 0 (negate (signum (spinLength hole)))))
+  _ -> r > observerRange space observer (placePolarAngle (kerrPlace place))
+  where
+    r = XYZ.norm place
+
+-- | The observer's motion around a rotating hole; 'Nothing' for the camera of the design
+-- report, which is defined without spin only.
+kerrMotion :: Observer -> Maybe Motion
+kerrMotion observer = case observer of
+  Static -> Just AtRest
+  Zamo -> Just ZeroAngularMomentum
+  Orbiting -> Just (OnOrbit RightHanded)
+  CounterOrbiting -> Just (OnOrbit LeftHanded)
+  Falling -> Just InFreeFall
+  Coordinate -> Nothing
+
+kerrPlace :: XYZ -> Place
+kerrPlace (XYZ x y z) = Place (sqrt (rho2 + y * y)) (atan2 (sqrt rho2) y)
+  where
+    rho2 = x * x + z * z
+
+-- | One line of sight, and the frequency seen by the observer over the frequency at
+-- infinity, which shifts the light of the sky ('sightFrequency').
+data SightLine
+  = -- | The photon to follow backwards, of unit energy, on a path that lies in a plane.
+    SightLine !Photon {-# UNPACK #-} !Double
+  | -- | A ray around a rotating hole, from an observer at this azimuth.
+    RotatingSight !Azimuth !LightRay
   deriving (Eq, Show)
+
+-- | The frequency seen by the observer over the frequency at infinity.
+sightFrequency :: SightLine -> Double
+sightFrequency (SightLine _ observed) = observed
+sightFrequency (RotatingSight _ ray) = rayObserved ray
+{-# INLINE sightFrequency #-}
 
 -- | An observer at a position, prepared with everything that all lines of sight share.
 data Eye = Eye
@@ -93,6 +151,11 @@ data EyeKind
   | -- | Space without gravity.
     InFlatSpace
   | Near !Observer
+  | NearRotating !Rotating
+
+-- | An observer near a rotating hole: motion and position, with the unit vectors of
+-- increasing polar angle and azimuth.
+data Rotating = Rotating !Spin !Motion !Place !Azimuth !XYZ !XYZ
 
 -- | Prepares an observer at a position for 'sightFrom'.
 eye :: Spacetime -> Observer -> XYZ -> Eye
@@ -103,8 +166,24 @@ eye space observer place = Eye kind place radial (sqrt (1 - 1 / r)) (sqrt (1 / r
     kind = case space of
       Flat -> InFlatSpace
       Schwarzschild
-        | r <= observerRange Schwarzschild observer || isNaN r -> Nobody
+        | r <= observerRange Schwarzschild observer 0 || isNaN r -> Nobody
         | otherwise -> Near observer
+      Kerr hole -> case kerrMotion observer of
+        Just motion | observerExists space observer place -> NearRotating (rotating hole motion place)
+        _ -> Nobody
+
+rotating :: Spin -> Motion -> XYZ -> Rotating
+rotating hole motion place@(XYZ x _ z) =
+  Rotating
+    hole
+    motion
+    there
+    (if motion == InFreeFall then Ingoing phi else BoyerLindquist phi)
+    (XYZ (cos theta * sin phi) (negate (sin theta)) (cos theta * cos phi))
+    (XYZ (cos phi) 0 (negate (sin phi)))
+  where
+    there@(Place _ theta) = kerrPlace place
+    phi = atan2 x z
 
 -- | @sightLine space observer place = 'sightFrom' ('eye' space observer place)@.
 sightLine :: Spacetime -> Observer -> XYZ -> XYZ -> Maybe SightLine
@@ -119,20 +198,28 @@ sightFrom prepared !direction = case kind of
   InFlatSpace -> XYZ.normalize direction >>= \d -> along (Photon place d) 1
   Near Coordinate -> withUnitEnergy (Photon place direction) >>= \photon -> along photon 1
   Near Static -> static direction
-  Near Orbiting ->
-    -- The light moves along −direction, so the momentum to boost back into the static
-    -- frame is −direction. Its reverse is the direction seen there.
-    let forwards = XYZ.dot azimuthal direction
-        -- Frequency in the static frame of light that has frequency one here.
-        frequency = gamma * (1 - speed * forwards)
-        momentum = direction ^+^ ((gamma - 1) * forwards - gamma * speed) *^ azimuthal
-     in static ((1 / frequency) *^ momentum) >>= \(SightLine photon shift) -> along photon (shift / frequency)
+  Near Zamo -> static direction
+  Near Orbiting -> orbiting azimuthal
+  Near CounterOrbiting -> orbiting (XYZ.negated azimuthal)
+  NearRotating (Rotating hole motion at azimuth southward eastward) ->
+    RotatingSight azimuth
+      <$> lightRay hole at motion (Direction (XYZ.dot radial direction) (XYZ.dot southward direction) (XYZ.dot eastward direction))
   Near Falling -> fromEnergy (1 + infall * XYZ.dot radial direction) (direction ^+^ infall *^ radial)
   where
     -- Makes GHC pass the components of the direction one by one instead of those of the
     -- prepared observer, so that no direction is allocated.
     Eye kind place radial dilation infall azimuthal speed = lazy prepared
     gamma = 1 / sqrt (1 - speed * speed)
+    orbiting forward =
+      -- The light moves along −direction, so the momentum to boost back into the static
+      -- frame is −direction. Its reverse is the direction seen there.
+      let forwards = XYZ.dot forward direction
+          -- Frequency in the static frame of light that has frequency one here.
+          frequency = gamma * (1 - speed * forwards)
+          momentum = direction ^+^ ((gamma - 1) * forwards - gamma * speed) *^ forward
+       in static ((1 / frequency) *^ momentum) >>= \sight -> case sight of
+            SightLine photon shift -> along photon (shift / frequency)
+            RotatingSight _ _ -> Nothing
     along photon shift = Just $! SightLine photon shift
     -- Light of frequency one for the observer has this energy at infinity and this
     -- pseudo-velocity. Scale both to unit energy.

@@ -5,17 +5,25 @@ module BlackHole.Physics.Spacetime
   )
 where
 
--- | A spacetime with a black body of radius one at its origin.
+import BlackHole.Physics.Kerr.Landmarks (Spin)
+
+-- | A spacetime with a black body at its origin: of radius one, or a rotating hole's
+-- smaller horizon.
 data Spacetime
   = -- | Around a hole that does not rotate; the Schwarzschild radius is 1.
     Schwarzschild
   | -- | Without gravity: straight rays, and a black ball in place of the hole.
     Flat
-  deriving (Eq, Show, Read, Enum, Bounded)
+  | -- | Around a rotating hole of this spin.
+    Kerr !Spin
+  deriving (Eq, Show)
 
--- | The factor of @−h² x / r⁵@ in a photon's acceleration: 3/2 around a hole, 0 without
--- gravity.
+-- | The factor of @−h² x / r⁵@ in a photon's acceleration in pseudo-space: 3/2 around a
+-- hole, 0 without gravity. The paths around a rotating hole lie in no plane and have no
+-- such law; what asks for it takes the hole for one without spin.
 pullOfGravity :: Spacetime -> Double
-pullOfGravity Schwarzschild = 1.5
-pullOfGravity Flat = 0
+pullOfGravity space = case space of
+  Schwarzschild -> 1.5
+  Kerr _ -> 1.5
+  Flat -> 0
 {-# INLINE pullOfGravity #-}

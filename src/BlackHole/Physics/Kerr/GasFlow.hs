@@ -7,6 +7,9 @@ module BlackHole.Physics.Kerr.GasFlow
     gasFlow,
     orbitalRate,
     planeFrequency,
+    Frequencies (..),
+    gasFrequencies,
+    flowHorizon,
   )
 where
 
@@ -78,3 +81,55 @@ planeFrequency flow ray r grows
           / (gasP * p + gasR * lightR)
       | otherwise = (gasP * p - gasR * lightR) / delta
     plunging = radialPart - (momentum - a * energy) * (lambda - a)
+
+-- | The horizon's radius, at and inside which there is no gas.
+flowHorizon :: GasFlow -> Double
+flowHorizon = flowOuterHorizon
+
+-- | Frequencies of light over that at infinity: for the gas, and for the observer beside
+-- it without angular momentum, who turns with space. Their ratio is the shift by the
+-- gas's motion.
+data Frequencies = Frequencies
+  { frequencyInGas :: {-# UNPACK #-} !Double,
+    frequencyBeside :: {-# UNPACK #-} !Double
+  }
+
+-- | @gasFrequencies flow ray r c grows@: at a place outside the horizon with @cos θ = c@,
+-- on a ray whose radius grows along the backward tracing or not. In a thick disk the gas
+-- off the plane has the dφ\/dt of the plane's gas at the same radius, and its radial speed
+-- past the observer without angular momentum: that is slower than light everywhere
+-- outside the horizon. In the plane it agrees with 'planeFrequency', but for its digits
+-- close to the horizon.
+gasFrequencies :: GasFlow -> LightRay -> Double -> Double -> Bool -> Frequencies
+gasFrequencies flow ray r c grows = Frequencies inGas beside
+  where
+    a = flowSpinLength flow
+    a2 = a * a
+    lambda = rayLambda ray
+    s2 = max 1e-30 (1 - c * c)
+    sigma = r * r + a2 * c * c
+    delta = (r - flowOuterHorizon flow) * (r - flowInnerHorizon flow)
+    wide = r * r + a2
+    area = wide * wide - a2 * delta * s2
+    dragging = a * r / area
+    lapse = sqrt (sigma * delta / area)
+    girth = sqrt (s2 * area / sigma)
+    kappa = rayEta ray + (lambda - a) * (lambda - a)
+    p = wide - a * lambda
+    lightRadial = (if grows then negate else id) (sqrt (max 0 (p * p - delta * kappa) / (sigma * delta)))
+    energy = flowEnergy flow
+    momentum = flowAngularMomentum flow
+    -- dφ/dt, and the radial speed past the observer beside.
+    (rate, infall)
+      | r >= flowIsco flow = (orbitalRate flow r, 0)
+      | otherwise =
+        let below = flowIsco flow / r - 1
+            timeRate = (wide + a2 / r) * energy - a * momentum / r
+         in ( (a * energy / r + (1 - 1 / r) * momentum) / timeRate,
+              negate (below * sqrt below / sqrt (3 * flowIsco flow)) * sqrt (wide * wide - a2 * delta) / timeRate
+            )
+    around = girth * (rate - dragging) / lapse
+    gamma = 1 / sqrt (max 1e-12 (1 - around * around - infall * infall))
+    beside = (1 - dragging * lambda) / lapse
+    inGas = gamma * (beside - around * lambda / girth - infall * lightRadial)
+{-# INLINE gasFrequencies #-}
