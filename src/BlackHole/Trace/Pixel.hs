@@ -51,7 +51,7 @@ import BlackHole.Trace.Sampling
 import BlackHole.Trace.Sky
 import BlackHole.Trace.SkyImage (SkyImage)
 import BlackHole.Vector.XY (XY (..))
-import BlackHole.Vector.XYZ (XYZ, (*^))
+import BlackHole.Vector.XYZ (XYZ, (*^), (^-^))
 import qualified BlackHole.Vector.XYZ as XYZ
 import GHC.Exts (lazy)
 
@@ -170,10 +170,13 @@ addSamples :: Tracer -> Int -> Int -> Estimate -> Int -> Int -> Estimate
 addSamples prepared from to estimate column row = go from estimate
   where
     traced = lazy prepared
+    shared
+      | to - from > 1 = skyPatch traced (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5))
+      | otherwise = Nothing
     go !index !sums
       | index < to =
         let Sample place weight = samplePoint (tracerScene traced) column row index
-         in go (index + 1) (addSample (tracerGain traced) weight (sightRadiance traced place) sums)
+         in go (index + 1) (addSample (tracerGain traced) weight (sharingRadiance traced shared place) sums)
       | otherwise = sums
 
 -- | The same of three pixels in a row, from a column on.
@@ -216,7 +219,7 @@ threeSights traced p0 p1 p2 = case (tracedSight traced p0, tracedSight traced p1
             (gathering s1)
             (gathering s2)
             nothingYet
-     in (seen traced p0 s0 f0, seen traced p1 s1 f1, seen traced p2 s2 f2)
+     in (seen traced Nothing p0 s0 f0, seen traced Nothing p1 s1 f1, seen traced Nothing p2 s2 f2)
   _ -> (sightRadiance traced p0, sightRadiance traced p1, sightRadiance traced p2)
   where
     scene = tracerScene traced
@@ -224,18 +227,60 @@ threeSights traced p0 p1 p2 = case (tracedSight traced p0, tracedSight traced p1
 -- | Radiance that arrives at one point of the picture (pixels from the top
 -- left corner).
 sightRadiance :: Tracer -> XY -> Radiance
-sightRadiance prepared point = case tracedSight traced point of
+sightRadiance prepared = sharingRadiance prepared Nothing
+
+-- | The same, with the sky of the pixel where it is known.
+sharingRadiance :: Tracer -> Maybe SkyPatch -> XY -> Radiance
+sharingRadiance prepared shared point = case tracedSight traced point of
   Nothing -> black
-  Just sight -> seen traced point sight (followLight traced point sight)
+  Just sight -> seen traced shared point sight (followLight traced point sight)
   where
     -- GHC would take it apart for the call and put it together again in here.
     traced = lazy prepared
 
 -- | The gas's light and what the sky adds to it.
-seen :: Tracer -> XY -> SightLine -> Followed Gathered -> Radiance
-seen traced point sight (Followed fate (Gathered light transmittance) _) =
-  light <+> scaleRadiance transmittance (tracedSky traced point sight fate)
+seen :: Tracer -> Maybe SkyPatch -> XY -> SightLine -> Followed Gathered -> Radiance
+seen traced shared point sight (Followed fate (Gathered light transmittance) _) =
+  light <+> scaleRadiance transmittance behind
+  where
+    behind = case fate of
+      Escaped direction | Just patch <- shared, Just sky <- patchRadiance patch point direction -> sky
+      _ -> tracedSky traced point sight fate
 {-# INLINE seen #-}
+
+-- | The sky behind a pixel, past all gas: the pixel's middle, the beam there, the
+-- square of how far a line of sight may end from where the beam has it, and the light.
+data SkyPatch
+  = SkyPatch
+      {-# UNPACK #-} !XY
+      {-# UNPACK #-} !Beam
+      {-# UNPACK #-} !Double
+      {-# UNPACK #-} !Radiance
+
+-- | The sky behind the pixel around a point of the picture, for all of its samples:
+-- filtered for a pixel, it need not be looked at more than once in each. 'Nothing'
+-- where it is cheap to look at or no light arrives from it.
+skyPatch :: Tracer -> XY -> Maybe SkyPatch
+skyPatch traced point = case tracerSky traced of
+  ByDirection _ -> Nothing
+  ByBeam shader -> do
+    sight <- tracedSight traced point
+    direction <- escapeDirection traced point sight
+    beam <- tracedBeam traced point sight direction
+    let area = beamSolidAngle beam
+        breadth = XYZ.dot (beamAlongX beam) (beamAlongX beam) + XYZ.dot (beamAlongY beam) (beamAlongY beam)
+    pure (SkyPatch point beam (0.01 * area * area / breadth) (shader (skyShift (tracerSkyShift traced) (sightFrequency sight)) beam))
+
+-- | A patch's light at a point from which a line of sight ends in this direction.
+-- 'Nothing' if that is farther from where the beam has it than a tenth of the beam's
+-- width: beside a critical curve of the lens, at the edge of the shadow.
+patchRadiance :: SkyPatch -> XY -> XYZ -> Maybe Radiance
+patchRadiance (SkyPatch (XY x0 y0) (Beam d a b) slack light) (XY x y) direction
+  | XYZ.dot miss miss <= slack = Just light
+  | otherwise = Nothing
+  where
+    miss = direction ^-^ d ^-^ (x - x0) *^ a ^-^ (y - y0) *^ b
+{-# INLINE patchRadiance #-}
 
 -- | The scene itself.
 tracedScene :: Tracer -> Scene
@@ -285,12 +330,17 @@ tracedBeam traced point@(XY x y) sight direction = case sceneSpacetime (tracerSc
   _ -> beamByDifferences escape point
   where
     step = 0.01
-    clear = traced {tracerRegion = emptyRegion}
-    escape beside = do
-      found <- tracedSight traced beside
-      case followSight clear beside found (\() _ -> Onward ()) () of
-        Followed (Escaped d) _ _ -> Just d
-        _ -> Nothing
+    escape beside = tracedSight traced beside >>= escapeDirection traced beside
+
+-- | Where a line of sight ends past all gas, if in the sky.
+escapeDirection :: Tracer -> XY -> SightLine -> Maybe XYZ
+escapeDirection traced point sight = case fate of
+  Escaped direction -> Just direction
+  _ -> Nothing
+  where
+    fate
+      | sceneIntegrator (tracerScene traced) == Tabulated = sweptFate (sceneSpacetime (tracerScene traced)) (tracerTable traced) (sightPhoton sight)
+      | otherwise = followedFate (followSight traced {tracerRegion = emptyRegion} point sight (\() _ -> Onward ()) ())
 
 -- | Whether the edge of the shadow, where all further images of the gas crowd
 -- together in rings thinner than a pixel, passes through or beside the pixel around
