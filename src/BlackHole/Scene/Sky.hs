@@ -5,6 +5,8 @@ module BlackHole.Scene.Sky
     Stars (..),
     reportStars,
     defaultStars,
+    RealSky (..),
+    realSky,
     PointStars (..),
     defaultPointStars,
     Panorama (..),
@@ -18,8 +20,10 @@ import BlackHole.Physics.Angle (Degrees (..))
 data Sky
   = -- | Stars cut out of three-dimensional noise on the sphere.
     SkyNoise !Stars
-  | -- | A catalogue of point stars before the band of the galaxy.
-    SkyStars !PointStars
+  | -- | The real stars and the real Milky Way.
+    SkyStars !RealSky
+  | -- | Point stars made from the seed, before a band like the Milky Way.
+    SkyRandomStars !PointStars
   | -- | A picture of the whole sky.
     SkyPanorama !Panorama
   | -- | Alternating fields of 10°, to see the lensing by.
@@ -35,6 +39,7 @@ skyName :: Sky -> String
 skyName sky = case sky of
   SkyNoise _ -> "noise"
   SkyStars _ -> "stars"
+  SkyRandomStars _ -> "random-stars"
   SkyPanorama panorama -> panoramaFile panorama
   SkyGrid -> "grid"
   SkyUniform _ -> "uniform"
@@ -82,6 +87,23 @@ defaultStars =
       starBrightness = 2.5,
       starColours = True
     }
+
+-- | How the real sky is shown.
+data RealSky = RealSky
+  { -- | Turn about the axis +y, as of a panorama ('panoramaRotation').
+    realSkyRotation :: !Degrees,
+    -- | Gain: 1 gives a star of magnitude 0 a flux of 80e-6 radiance times steradians,
+    -- and with it the brightest clouds of the Milky Way a radiance of 0.02.
+    realSkyBrightness :: !Double,
+    -- | Further gain of the diffuse light alone: 1 is its true ratio to the stars, 0
+    -- leaves it out.
+    realSkyMilkyWay :: !Double
+  }
+  deriving (Eq, Show)
+
+-- | The real sky in its true proportions.
+realSky :: RealSky
+realSky = RealSky (Degrees 0) 1 1
 
 -- | Stars without extent, and the light of those too faint to be single.
 data PointStars = PointStars

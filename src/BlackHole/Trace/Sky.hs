@@ -18,9 +18,10 @@ import BlackHole.Noise.Threshold (perlin3Above)
 import BlackHole.Physics.Angle
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Sky
-import BlackHole.Trace.Beam (Beam)
+import BlackHole.Trace.Beam (Beam (..))
 import BlackHole.Trace.Grid
 import BlackHole.Trace.MilkyWay
+import BlackHole.Trace.RealSky
 import BlackHole.Trace.Seeds
 import BlackHole.Trace.SkyImage
 import BlackHole.Trace.StarCatalogue
@@ -45,7 +46,8 @@ skyShader :: Maybe SkyImage -> Word64 -> Sky -> Maybe SkyShader
 skyShader picture seed sky = case sky of
   SkyPanorama panorama -> panoramaShader panorama <$> picture
   SkyNoise stars -> Just (ByDirection (starRadiance seed stars))
-  SkyStars stars -> Just (ByBeam (pointStarRadiance seed stars))
+  SkyStars settings -> ByBeam . realSkyRadiance settings <$> realMilkyWay
+  SkyRandomStars stars -> Just (ByBeam (pointStarRadiance seed stars))
   SkyGrid -> Just (ByDirection (\g direction -> scaleRadiance (g * g * (g * g)) (gridRadiance direction)))
   SkyUniform v -> Just (ByDirection (\g _ -> grey (v * g ^ (4 :: Int))))
   SkyNone -> Just (ByDirection (\_ _ -> black))
@@ -55,6 +57,31 @@ neededPicture :: Scene -> Maybe FilePath
 neededPicture scene = case sceneSky scene of
   SkyPanorama panorama | not (sceneDebugTextures scene) -> Just (panoramaFile panorama)
   _ -> Nothing
+
+-- | The real stars before the real Milky Way, whose light has about the colour of one
+-- black body and takes on that of another for an observer who sees it shifted.
+realSkyRadiance :: RealSky -> SkyImage -> Double -> Beam -> Radiance
+realSkyRadiance settings milkyWayImage =
+  stars `seq` milkyWayImage `seq` \g beam ->
+    let turnedBeam = turn beam
+     in scaleRadiance gain (starFieldRadiance stars g turnedBeam)
+          <+> scaleRadiance (diffuse * (g * g * (g * g))) (tint g (skyImageRadiance milkyWayImage turnedBeam))
+  where
+    stars = realStarField
+    gain = realSkyBrightness settings * magnitudeZeroFlux
+    diffuse = gain * realSkyMilkyWay settings
+    tint = shiftedMixture 5200
+    turn (Beam d a b) = Beam (toFrame d) (toFrame a) (toFrame b)
+    toFrame = toRealSky (inRadians (toRadians (realSkyRotation settings)))
+
+-- | The real stars, arranged at the first use, in units of the flux of magnitude 0.
+realStarField :: StarField
+realStarField = starField 1 realStars
+{-# NOINLINE realStarField #-}
+
+-- | Flux of a star of magnitude 0 at gain 1: radiance times steradians.
+magnitudeZeroFlux :: Double
+magnitudeZeroFlux = 80e-6
 
 -- | Point stars before the Milky Way.
 pointStarRadiance :: Word64 -> PointStars -> Double -> Beam -> Radiance

@@ -65,13 +65,13 @@ ladder rings
 
 -- | An equirectangular picture of the given width and height in pixels, by the
 -- radiance of a column and a row from the top left. 'Nothing' for an empty one.
--- Each pixel is asked for about once.
+-- Each pixel is asked for about once, by all processors that are idle.
 skyImageFromPixels :: Int -> Int -> (Int -> Int -> Radiance) -> Maybe SkyImage
 skyImageFromPixels width height pixel
   | width < 1 || height < 1 = Nothing
   | otherwise = Just (withCoarser height finest)
   where
-    finest = U.concat [ring i n | (i, n) <- zip [0 ..] (U.toList (ringsOf height))]
+    finest = U.concat (inParallel [ring i n | (i, n) <- zip [0 ..] (U.toList (ringsOf height))])
     -- A single field has to take its ring as a whole; elsewhere too a field may
     -- cover several pixels of its row.
     ring i n = U.create $ do

@@ -18,6 +18,7 @@ module BlackHole.Trace.StarField
     starField,
     starFieldRadiance,
     starFieldMean,
+    shiftedMixture,
     pixelKernel,
     kernelRadius,
   )
@@ -28,6 +29,7 @@ import BlackHole.Light.Radiance
 import BlackHole.Trace.Beam
 import BlackHole.Trace.SkyImage
 import BlackHole.Trace.StarCatalogue
+import BlackHole.Trace.Tabulated
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ
 import Control.Monad (forM_)
@@ -124,13 +126,15 @@ index :: Int -> Double -> Int
 index side u = max 0 (min (side - 1) (truncate (0.5 * (u + 1) * fromIntegral side)))
 {-# INLINE index #-}
 
--- | Weight of a star in one direction of the picture by its offset in pixels:
--- the quadratic B-spline, a bell of width ±1.5 and standard deviation 0.5 that
--- sums to 1 over any grid of unit spacing.
+-- | Weight of a star in one direction of the picture by its offset in pixels: the
+-- B-spline of fourth degree, a bell of standard deviation 0.65 that is close to
+-- Gauss's, so that the product of two is close to round, and sums to 1 over any grid
+-- of unit spacing.
 pixelKernel :: Double -> Double
 pixelKernel p
-  | a <= 0.5 = 0.75 - a * a
-  | a < kernelRadius = 0.5 * (kernelRadius - a) * (kernelRadius - a)
+  | a <= 0.5 = let s = a * a in 115 / 192 + s * (0.25 * s - 0.625)
+  | a <= 1.5 = (55 + a * (20 + a * (a * (80 - 16 * a) - 120))) / 96
+  | a < kernelRadius = let s = (kernelRadius - a) * (kernelRadius - a) in s * s / 24
   | otherwise = 0
   where
     a = abs p
@@ -138,7 +142,7 @@ pixelKernel p
 
 -- | Where 'pixelKernel' ends, in pixels.
 kernelRadius :: Double
-kernelRadius = 1.5
+kernelRadius = 2.5
 
 -- | The stars' light through a beam, for an observer who sees it at g times its
 -- frequency: black bodies of g times their temperature, and g⁴ times as
@@ -171,15 +175,7 @@ starFieldRadiance (StarField tiers) g beam@(Beam (XYZ dx dy dz) a b)
     points t
       | area > 1e-9 * breadth = scaleRadiance weight (tierPoints look t)
       | otherwise = black
-    blurred t = warmed (skyImageRadiance (tierBlurred t) beam)
-    -- The mixture has about the colour of one black body.
-    warmed light
-      | g == 1 || luminance tinted <= 0 = light
-      | otherwise = scaleRadiance (luminance light / luminance tinted) tinted
-      where
-        tinted = ratio (tabulatedColour (g * meanTemperature)) (tabulatedColour meanTemperature) light
-    ratio (Radiance r' g' b') (Radiance r'' g'' b'') (Radiance r0 g0 b0) =
-      Radiance (r0 * r' / r'') (g0 * g' / g'') (b0 * b' / b'')
+    blurred t = shiftedStars g (skyImageRadiance (tierBlurred t) beam)
 
 -- | How slender an ellipse is taken for its word, as the shorter axis over the
 -- longer one. Where pixels are fine, so is the change from one to the next, and
@@ -188,9 +184,30 @@ starFieldRadiance (StarField tiers) g beam@(Beam (XYZ dx dy dz) a b)
 squeezed :: Double
 squeezed = 1 / 60
 
--- | Colour temperature of the mixture of all stars, in kelvin.
-meanTemperature :: Double
-meanTemperature = 7000
+-- | The mixture of all stars, about 7000 K.
+shiftedStars :: Double -> Radiance -> Radiance
+shiftedStars = shiftedMixture 7000
+{-# NOINLINE shiftedStars #-}
+
+-- | @shiftedMixture temperature g light@: a mixture of stars of about this colour
+-- temperature, in kelvin, in the colour in which it is seen at g times its frequency:
+-- that of a black body of g times the temperature, relative to the one that it has.
+-- The luminance stays. Bind the result of the first argument to prepare it once.
+shiftedMixture :: Double -> Double -> Radiance -> Radiance
+shiftedMixture temperature = \g light@(Radiance r0 g0 b0) ->
+  if g == 1
+    then light
+    else
+      let place = rowAt tints (g / (1 + g))
+          tinted = Radiance (r0 * valueAt tints place 0) (g0 * valueAt tints place 1) (b0 * valueAt tints place 2)
+       in if luminance tinted > 0 then scaleRadiance (luminance light / luminance tinted) tinted else light
+  where
+    -- By g/(1 + g), which takes all shifts from 0 to ∞ into an interval.
+    tints = tabulate 3 256 0 1 tint
+    tint x =
+      let Radiance r g b = tabulatedColour temperature
+          Radiance r' g' b' = tabulatedColour (temperature * x / max 1e-9 (1 - x))
+       in [r' / r, g' / g, b' / b]
 
 -- | A beam made ready to look at stars through, the same for all tiers:
 -- frequency over that of the star, direction, the two of 'beamAxes', the window,

@@ -60,7 +60,7 @@ spec = do
           sceneNoise = 0,
           sceneBloom = 0,
           sceneSeed = 0,
-          sceneSky = SkyStars (PointStars count 80 0)
+          sceneSky = SkyRandomStars (PointStars count 80 0)
         }
     distance = 30
     catalogue = starCatalogue (purposeSeed 0 StarPlaces :: Seed) 1
