@@ -118,13 +118,13 @@ data SightLine
   = -- | The photon to follow backwards, of unit energy, on a path that lies in a plane.
     SightLine !Photon {-# UNPACK #-} !Double
   | -- | A ray around a rotating hole, from an observer at this azimuth.
-    RotatingSight !Azimuth !LightRay
+    RotatingSight !Spin !Azimuth !LightRay
   deriving (Eq, Show)
 
 -- | The frequency seen by the observer over the frequency at infinity.
 sightFrequency :: SightLine -> Double
 sightFrequency (SightLine _ observed) = observed
-sightFrequency (RotatingSight _ ray) = rayObserved ray
+sightFrequency (RotatingSight _ _ ray) = rayObserved ray
 {-# INLINE sightFrequency #-}
 
 -- | An observer at a position, prepared with everything that all lines of sight share.
@@ -202,7 +202,7 @@ sightFrom prepared !direction = case kind of
   Near Orbiting -> orbiting azimuthal
   Near CounterOrbiting -> orbiting (XYZ.negated azimuthal)
   NearRotating (Rotating hole motion at azimuth southward eastward) ->
-    RotatingSight azimuth
+    RotatingSight hole azimuth
       <$> lightRay hole at motion (Direction (XYZ.dot radial direction) (XYZ.dot southward direction) (XYZ.dot eastward direction))
   Near Falling -> fromEnergy (1 + infall * XYZ.dot radial direction) (direction ^+^ infall *^ radial)
   where
@@ -219,7 +219,7 @@ sightFrom prepared !direction = case kind of
           momentum = direction ^+^ ((gamma - 1) * forwards - gamma * speed) *^ forward
        in static ((1 / frequency) *^ momentum) >>= \sight -> case sight of
             SightLine photon shift -> along photon (shift / frequency)
-            RotatingSight _ _ -> Nothing
+            RotatingSight {} -> Nothing
     along photon shift = Just $! SightLine photon shift
     -- Light of frequency one for the observer has this energy at infinity and this
     -- pseudo-velocity. Scale both to unit energy.

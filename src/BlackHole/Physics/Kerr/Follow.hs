@@ -13,9 +13,8 @@
 -- and the azimuth is an integral over both. A segment is so short against the gas that
 -- the series of order 5 is exact to 1e-9.
 module BlackHole.Physics.Kerr.Follow
-  ( Start (..),
-    followKerr,
-    escapeDirection,
+  ( followKerr,
+    kerrEnd,
   )
 where
 
@@ -27,16 +26,9 @@ import BlackHole.Physics.LightPath
 import BlackHole.Physics.March
 import BlackHole.Vector.XYZ (XYZ (..))
 
--- | A ray from an observer at an azimuth.
-data Start = Start
-  { startAzimuth :: !Azimuth,
-    startRay :: !LightRay
-  }
-  deriving (Eq, Show)
-
--- | The fate of a ray with nothing in its way.
-escapeDirection :: Spin -> Start -> Fate
-escapeDirection hole (Start azimuth ray) = fateOf (kerrFate (kerrPath hole azimuth ray))
+-- | The fate of a ray with nothing in its way, from an observer at an azimuth.
+kerrEnd :: Spin -> Azimuth -> LightRay -> Fate
+kerrEnd hole azimuth ray = fateOf (kerrFate (kerrPath hole azimuth ray))
 
 fateOf :: KerrFate -> Fate
 fateOf fate = case fate of
@@ -44,11 +36,11 @@ fateOf fate = case fate of
   BlackHole.Physics.Kerr.Path.Captured -> BlackHole.Physics.Fate.Captured
   Circles -> StepLimit
 
--- | Follow a ray to its end and hand out the segments that lie in a region. The phase,
+-- | Follow a ray from an observer at an azimuth to its end and hand out the segments that lie in a region. The phase,
 -- 0 to 1, is the fraction of a whole step that the first segment of a passage is long:
 -- neighbours in a picture should have different ones.
-followKerr :: Spin -> Region -> Double -> Start -> (a -> Stretch -> Onward a) -> a -> Followed a
-followKerr hole region phase (Start azimuth ray) gather initial
+followKerr :: Spin -> Region -> Double -> Azimuth -> LightRay -> (a -> Stretch -> Onward a) -> a -> Followed a
+followKerr hole region phase azimuth ray gather initial
   | reach <= 0 = finish 0 initial
   | otherwise = passages 0 windows initial
   where
