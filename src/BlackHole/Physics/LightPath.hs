@@ -73,13 +73,17 @@ data Region = Region
     regionVerticalStep :: !Double,
     -- | Greatest length of one stretch, as a fraction of the distance from the
     -- axis.
-    regionLongestStep :: !Double
+    regionLongestStep :: !Double,
+    -- | The fraction of the half height within which the first of these two limits
+    -- holds; further from the plane the stretches that 'followSwept' cuts grow in
+    -- proportion to the height.
+    regionCore :: !Double
   }
   deriving (Eq, Show)
 
 -- | Nowhere at all.
 emptyRegion :: Region
-emptyRegion = Region 0 0 (-1) 0 1 1
+emptyRegion = Region 0 0 (-1) 0 1 1 1
 
 -- | The half height at a distance from the axis.
 halfHeightAt :: Region -> Double -> Double

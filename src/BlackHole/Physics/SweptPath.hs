@@ -190,7 +190,9 @@ followSwept space table region phase photon gather = start
             !outward = c *^ outward0 ^+^ s *^ onward0
             !onward = c *^ onward0 ^-^ s *^ outward0
             !(XYZ _ sineLatitude _) = outward
-            goOn = samples (n + 1) (t + step) turn final limit turn path outward0 onward0 upper middle to next
+            -- Far from the plane the gas varies slowly.
+            !growth = max 1 (min core (abs sineLatitude * core / steepest u))
+            goOn = samples (n + 1) (t + step) (turn * growth) final limit turn path outward0 onward0 upper middle to next
          in if abs sineLatitude > steepest u || u < uOuter || u > uInner
               then goOn state
               else
@@ -211,6 +213,7 @@ followSwept space table region phase photon gather = start
         room = steepest u
     !longest = regionLongestStep region
     !vertical = regionVerticalStep region
+    !core = 1 / regionCore region
 {-# INLINE followSwept #-}
 
 -- | The end of the path that 'followSwept' follows, with nothing on the way.
