@@ -1,20 +1,18 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | Noise for thin things: gradient noise in the plane whose octaves are
--- tilted against each other in the third dimension.
+-- | Noise for thin layers: gradient noise in the plane whose octaves are tilted against
+-- each other in the third dimension.
 --
--- Each octave is plane noise ("BlackHole.Noise.PerlinG"), drawn out along its own
--- slanted direction, so that no two heights look alike and yet a value costs
--- half the corners of noise in space. The plane closes round its first
--- coordinate: that is the angle of a disk. Everything repeats in the second one
--- after 'sheetsHeight'.
+-- Each octave is plane noise ("BlackHole.Noise.PerlinG"), extended along its own
+-- slanted direction. No two heights look alike, and yet a value needs half the corners
+-- of noise in space. The plane is periodic in its first coordinate, which is the angle
+-- around a disk, and repeats in the second one after 'sheetsHeight'.
 --
--- 'weave' makes more of the same octaves: filaments along the lines on which an
--- octave vanishes, finer octaves bent by the coarser ones and stronger where these
--- are high, and two moving patterns in one.
+-- 'weave' combines the octaves into filaments and eddies, and blends two moving
+-- patterns.
 --
--- All lattice points there are fit into a few kilobytes, so each gradient is
--- hashed once and none ever again.
+-- The gradients of all lattice points fit into a few kilobytes, so each is hashed only
+-- once.
 module BlackHole.Noise.Sheets
   ( Sheets,
     sheets,
@@ -35,17 +33,17 @@ import Data.Bits (unsafeShiftL, (.&.))
 import Data.Primitive.PrimArray
 import Data.Word (Word8)
 
--- | Some octaves of noise.
+-- | Several octaves of noise.
 data Sheets = Sheets
-  { -- | For each octave: amplitude, and the tilt along both coordinates.
+  { -- | For each octave the amplitude, and the tilt along both coordinates.
     sheetsReals :: !(PrimArray Double),
-    -- | Gradient numbers of all octaves, coarse to fine, row by row.
+    -- | Gradient numbers of all octaves, from coarse to fine, row by row.
     sheetsGradients :: !(PrimArray Word8)
   }
 
--- | @sheets seed count gain@: noise with eight cells around in the coarsest
--- octave. Each of the @count@ octaves (0 … 8) is twice as fine as the one
--- before and @gain@ times as strong; the amplitudes' moduli add up to 1.
+-- | @sheets seed count gain@ is noise whose coarsest octave has eight cells around.
+-- Each of the @count@ octaves (0 to 8) is twice as fine and @gain@ times as strong as
+-- the previous one; the moduli of the amplitudes add up to 1.
 sheets :: Seed -> Int -> Double -> Sheets
 sheets seed count gain =
   Sheets
@@ -56,7 +54,7 @@ sheets seed count gain =
     octaveCount = max 0 (min 8 count)
     amplitudes = take octaveCount (iterate (* gain) 1)
     total = max 1e-300 (sum (map abs amplitudes))
-    -- The golden angle apart: no two directions come close.
+    -- Multiples of the golden angle, so that no two directions come close.
     tilts = iterate (+ 2.399963229728653) 0.7
     octave i =
       [ fromIntegral (gradientNumber2 (latticeHash2 seed (latticePoint2 (clampedLevel (rowBits + i)) x y)))
@@ -64,26 +62,26 @@ sheets seed count gain =
           x <- [0 .. 2 ^ (columnBits + i) - 1]
       ]
 
--- | Cells of the coarsest octave: 2^3 around, 2^5 along the second coordinate.
+-- | Cells of the coarsest octave: 2^3 around, and 2^5 along the second coordinate.
 columnBits, rowBits :: Int
 columnBits = 3
 rowBits = 5
 
--- | After this many cells of the coarsest octave along the second coordinate
+-- | The number of cells of the coarsest octave along the second coordinate after which
 -- the noise repeats.
 sheetsHeight :: Double
 sheetsHeight = 2 ^ rowBits
 
--- | The amplitudes, coarse to fine.
+-- | The amplitudes, from coarse to fine.
 sheetsAmplitudes :: Sheets -> [Double]
 sheetsAmplitudes noise = [indexPrimArray reals i | i <- [0, 3 .. sizeofPrimArray reals - 1]]
   where
     reals = sheetsReals noise
 
--- | @sheetsValue noise count turns v height@: the noise at an angle in turns
--- (−1 … 1), a second coordinate and a height, both in cells of the coarsest
--- octave and within ±2^40. Only the first @count@ octaves count, the last of
--- them by the fraction of @count@. Nothing is allocated.
+-- | @sheetsValue noise count turns v height@ is the noise at an angle in turns (−1 to
+-- 1), a second coordinate and a height, both in cells of the coarsest octave and within
+-- ±2^40. Only the first @count@ octaves contribute; a fractional @count@ weights the
+-- last one by its fraction. Allocates nothing.
 sheetsValue :: Sheets -> Double -> Double -> Double -> Double -> Double
 sheetsValue noise count turns v height = weave noise plainWeave count v (Strand 1 turns height) (Strand 0 0 0)
 {-# INLINE sheetsValue #-}
@@ -152,7 +150,7 @@ crest :: Double -> Double
 crest noise = 1 / (1 + 69 * noise * noise) - 0.38
 {-# INLINE crest #-}
 
--- | One octave at a place given in its own cells.
+-- | One octave at a position given in its own cells.
 layer :: PrimArray Word8 -> Int -> Int -> Int -> Double -> Double -> Double
 layer gradients !first !columns !rows !x !y =
   interpolateGradients2 fx fy at
