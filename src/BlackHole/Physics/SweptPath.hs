@@ -134,8 +134,8 @@ followSwept space table region phase photon gather = start
               else
                 let -- Where the path enters and leaves the gas's outer radius, if
                     -- within the cell.
-                    !begin = if u0 < uOuter && slope0 > 0 then min t1 (reaching path t0) else t0
-                    !leaving = if u1 < uOuter && slope1 < 0 then max begin (reaching path t1) else t1
+                    !begin = if u0 < uOuter && slope0 > 0 then within t0 t1 (reaching path t0) else t0
+                    !leaving = if u1 < uOuter && slope1 < 0 then within begin t1 (reaching path t1) else t1
                     !final = ofOneScale path begin leaving
                     !cosine = cos middle
                     !sine = sin middle
@@ -173,6 +173,12 @@ followSwept space table region phase photon gather = start
     reaching path t = step (step (step t))
       where
         step x = x + (uOuter - expansionValue path x) / expansionSlope path x
+
+    -- A path whose farthest point from the hole's rim of gas lies between the two ends,
+    -- just outside the gas, sends Newton's steps anywhere.
+    within low high t
+      | t > low = if t < high then t else high
+      | otherwise = low
 
     samples !n !t !wanted !final !limit !turn !path !outward0 !onward0 !upper !middle !to !next !state
       | t >= final = cells n 1 (max upper (middle + t)) to next state
