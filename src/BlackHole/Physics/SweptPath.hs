@@ -134,8 +134,8 @@ followSwept space table region phase photon gather = start
               else
                 let -- Where the path enters and leaves the gas's outer radius, if
                     -- within the cell.
-                    !begin = if u0 < uOuter && slope0 > 0 then min t1 (reaching path t0) else t0
-                    !leaving = if u1 < uOuter && slope1 < 0 then max begin (reaching path t1) else t1
+                    !begin = if u0 < uOuter && slope0 > 0 then within t0 t1 (reaching path t0) else t0
+                    !leaving = if u1 < uOuter && slope1 < 0 then within begin t1 (reaching path t1) else t1
                     !final = ofOneScale path begin leaving
                     !cosine = cos middle
                     !sine = sin middle
@@ -174,6 +174,12 @@ followSwept space table region phase photon gather = start
       where
         step x = x + (uOuter - expansionValue path x) / expansionSlope path x
 
+    -- A path whose farthest point from the hole's rim of gas lies between the two ends,
+    -- just outside the gas, sends Newton's steps anywhere.
+    within low high t
+      | t > low = if t < high then t else high
+      | otherwise = low
+
     samples !n !t !wanted !final !limit !turn !path !outward0 !onward0 !upper !middle !to !next !state
       | t >= final = cells n 1 (max upper (middle + t)) to next state
       | otherwise =
@@ -187,7 +193,9 @@ followSwept space table region phase photon gather = start
             !outward = c *^ outward0 ^+^ s *^ onward0
             !onward = c *^ onward0 ^-^ s *^ outward0
             !(XYZ _ sineLatitude _) = outward
-            goOn = samples (n + 1) (t + step) turn final limit turn path outward0 onward0 upper middle to next
+            -- Far from the plane the gas varies slowly.
+            !growth = max 1 (min core (abs sineLatitude * core / steepest u))
+            goOn = samples (n + 1) (t + step) (turn * growth) final limit turn path outward0 onward0 upper middle to next
          in if abs sineLatitude > steepest u || u < uOuter || u > uInner
               then goOn state
               else
@@ -208,6 +216,7 @@ followSwept space table region phase photon gather = start
         room = steepest u
     !longest = regionLongestStep region
     !vertical = regionVerticalStep region
+    !core = 1 / regionCore region
 {-# INLINE followSwept #-}
 
 -- | The fate of the path that 'followSwept' follows, if nothing is in the way.

@@ -58,7 +58,7 @@ spec = do
       prop "gather it from among the gas, along the radius as well" $
         forAll ((,) <$> elements [TableAt r t | (r, t) <- tables, r > 2] <*> inRange (-0.5) 0.5) $ \(TableAt r' table, height) ->
           forAll ((,,) <$> inRange (-0.02) 0.02 <*> inRange (-0.02) 0.02 <*> elements [-1, 1]) $ \(y, z, side) ->
-            let region = fine (Region 20 1.5 0.1 0 1 1)
+            let region = fine (Region 20 1.5 0.1 0 1 1 1)
                 -- The place is at the table's radius.
                 place = (r' / XYZ.norm (XYZ r' (0.1 * height) 0)) *^ XYZ r' (0.1 * height) 0
                 direction = fromMaybe (XYZ 1 0 0) (XYZ.normalize (XYZ side y z))
