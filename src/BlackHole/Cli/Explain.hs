@@ -72,9 +72,8 @@ sightLines scene sighting =
   where
     XY px py = sightingPoint sighting
     arriving light =
-      [ field "impact parameter b" (number (XYZ.norm (arrivalAngularMomentum light)) ++ critical),
-        field "angular momentum h" (vector (arrivalAngularMomentum light)),
-        field "frequency, over infinity's" (number (arrivalFrequency light) ++ "  (" ++ observerName (sceneObserver scene) ++ " observer)"),
+      constantLines (arrivalConstants light) ++
+      [ field "frequency, over infinity's" (number (arrivalFrequency light) ++ "  (" ++ observerName (sceneObserver scene) ++ " observer)"),
         field "fate" ("  " ++ fateText (arrivalFate light)),
         field "steps" ("  " ++ show (arrivalSteps light) ++ " (" ++ integratorName (sceneIntegrator scene) ++ ")"),
         "",
@@ -87,9 +86,18 @@ sightLines scene sighting =
              field "optical depth" (number (opticalDepth light)),
              field "transmittance" (number (arrivalTransmittance light))
            ]
+    constantLines constants = case constants of
+      AngularMomentum h ->
+        [ field "impact parameter b" (number (XYZ.norm h) ++ critical),
+          field "angular momentum h" (vector h)
+        ]
+      LambdaAndCarter lambda carter ->
+        [ field "angular momentum lambda" (number lambda),
+          field "Carter's constant Q" (number carter)
+        ]
     critical = case sceneSpacetime scene of
-      Schwarzschild -> "  (critical:" ++ number criticalImpactParameter ++ ")"
       Flat -> ""
+      _ -> "  (critical:" ++ number criticalImpactParameter ++ ")"
     fateText fate = case fate of
       Escaped direction -> fateName fate ++ " to the sky at" ++ vector direction
       Captured -> fateName fate ++ " by the hole"

@@ -32,8 +32,8 @@ followExact ::
   (a -> Stretch -> Onward a) ->
   a ->
   Followed a
-followExact Schwarzschild = followOrbit
 followExact Flat = followStraight
+followExact _ = followOrbit
 {-# INLINE followExact #-}
 
 followOrbit :: Region -> Photon -> (a -> Stretch -> Onward a) -> a -> Followed a

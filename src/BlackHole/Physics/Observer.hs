@@ -12,8 +12,10 @@ module BlackHole.Physics.Observer
     observerName,
     observerRange,
     observerExists,
+    frequencyAtRest,
     SightLine (..),
     sightFrequency,
+    sightPhoton,
     Eye,
     eye,
     eyePlace,
@@ -26,6 +28,7 @@ import BlackHole.Physics.Kerr.Landmarks
 import BlackHole.Physics.Kerr.Path (Azimuth (..))
 import BlackHole.Physics.Kerr.Sight
 import BlackHole.Physics.Photon
+import BlackHole.Physics.Redshift (staticObserver)
 import BlackHole.Physics.Spacetime (Spacetime (..))
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^), (^-^))
 import qualified BlackHole.Vector.XYZ as XYZ
@@ -96,6 +99,14 @@ observerExists space observer place = case space of
   where
     r = XYZ.norm place
 
+-- | The frequency that an observer at rest at a position measures over that at infinity.
+-- 'Nothing' where none can be, at and inside the horizon and in the ergosphere.
+frequencyAtRest :: Spacetime -> XYZ -> Maybe Double
+frequencyAtRest space place = case space of
+  Flat -> Just 1
+  Schwarzschild -> staticObserver (XYZ.norm place)
+  Kerr hole -> rayObserved <$> lightRay hole (kerrPlace place) AtRest (Direction 1 0 0)
+
 -- | The observer's motion around a rotating hole; 'Nothing' for the camera of the design
 -- report, which is defined without spin only.
 kerrMotion :: Observer -> Maybe Motion
@@ -126,6 +137,11 @@ sightFrequency :: SightLine -> Double
 sightFrequency (SightLine _ observed) = observed
 sightFrequency (RotatingSight _ _ ray) = rayObserved ray
 {-# INLINE sightFrequency #-}
+
+-- | The photon to follow backwards, on a path that lies in a plane.
+sightPhoton :: SightLine -> Maybe Photon
+sightPhoton (SightLine photon _) = Just photon
+sightPhoton RotatingSight {} = Nothing
 
 -- | An observer at a position, prepared with everything that all lines of sight share.
 data Eye = Eye

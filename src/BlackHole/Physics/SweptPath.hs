@@ -28,10 +28,10 @@ import Data.Maybe (fromMaybe)
 -- | The path of a photon of unit energy, by its radial and tangential velocity, from
 -- the table of its starting point; a straight line without gravity.
 sweepOf :: Spacetime -> LensTable -> Double -> Double -> Sweep
-sweepOf Schwarzschild table radial tangential = lensSweep table radial tangential
 sweepOf Flat table radial tangential = lineSweep u (negate radial * u / tangential)
   where
     u = 1 / lensTableRadius table
+sweepOf _ table radial tangential = lensSweep table radial tangential
 {-# NOINLINE sweepOf #-}
 
 -- | Follows a photon of unit energy ('withUnitEnergy') that starts at the table's
@@ -228,8 +228,8 @@ sweptFate space table photon = case end of
   where
     !(Launch e1 e2 radial tangential) = launch table photon
     end = case space of
-      Schwarzschild -> lensEnd table radial tangential
       Flat -> sweepEnd (sweepOf Flat table radial tangential)
+      _ -> lensEnd table radial tangential
 
 -- | The 'lensOffset' of a photon of unit energy at the table's radius.
 criticalOffset :: LensTable -> Photon -> Double

@@ -9,7 +9,7 @@ module BlackHole.Scene.Shifts
   )
 where
 
-import BlackHole.Physics.Redshift (RedshiftParts (..), staticObserver)
+import BlackHole.Physics.Redshift (RedshiftParts (..))
 
 -- | Nature shows both; a film may leave one out.
 data Shifts = Shifts
@@ -34,10 +34,10 @@ data SkyShift
   = SteadyShift {-# UNPACK #-} !Double
   | ShiftByFrequency {-# UNPACK #-} !Double {-# UNPACK #-} !Double
 
--- | For an observer at a distance from the hole. Inside the horizon nobody is at
+-- | From the ν_obs/E∞ of an observer at rest at the same place, if one can be there. Inside the horizon nobody is at
 -- rest, and gravity's part is not to be told from motion's.
-skyShiftAt :: Shifts -> Double -> SkyShift
-skyShiftAt (Shifts doppler gravity) r = case staticObserver r of
+skyShiftAt :: Shifts -> Maybe Double -> SkyShift
+skyShiftAt (Shifts doppler gravity) atRest = case atRest of
   Just static -> shift (if gravity then static else 1) static doppler
   Nothing -> shift 1 1 (doppler || gravity)
   where

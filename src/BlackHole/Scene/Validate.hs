@@ -12,6 +12,7 @@ module BlackHole.Scene.Validate
 where
 
 import BlackHole.Physics.Observer
+import BlackHole.Physics.Spacetime (Spacetime (..))
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Disk
 import BlackHole.Scene.Field.Field (Field (..), fieldLabel)
@@ -20,6 +21,7 @@ import BlackHole.Scene.Field.Number (showNumber)
 import BlackHole.Scene.Field.Table
 import BlackHole.Scene.Problem
 import BlackHole.Scene.Scene
+import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ
 
 -- | A field whose value is not allowed, with what is.
@@ -67,21 +69,34 @@ rangeFaultsOf scene field =
 
 -- | The rules between fields.
 crossFaults :: Scene -> [Fault]
-crossFaults scene = pose ++ foldMap edges (sceneDisk scene)
+crossFaults scene = pose ++ foldMap edges (sceneDisk scene) ++ turning
   where
+    -- What is defined for a hole without spin only.
+    turning = case sceneSpacetime scene of
+      Kerr _ ->
+        [Fault "physics.integrator" (NameValue "leapfrog") "table or exact around a rotating hole; the leapfrog's law of motion holds without spin only" | sceneIntegrator scene == Leapfrogging]
+          ++ [Fault "observer.motion" (NameValue (observerName Coordinate)) "static, zamo, orbiting, counter-orbiting or falling around a rotating hole" | sceneObserver scene == Coordinate]
+      _ -> []
     pose = case cameraPose (sceneCamera scene) of
       Around r _ _ ->
         [Fault "camera.distance" (NumberValue r) placeRange | not (standsAt r)]
-      LookAt place _ ->
+      LookAt _ _ ->
         [Fault "camera.position" (VectorValue place) ("X,Y,Z at " ++ placeRange) | not (standsAt (XYZ.norm place))]
-    least = observerRange (sceneSpacetime scene) (sceneObserver scene)
-    standsAt r = r > least && r <= 1e6
+    place = posePosition (cameraPose (sceneCamera scene))
+    XYZ _ height _ = place
+    least = observerRange (sceneSpacetime scene) (sceneObserver scene) (acos (max (-1) (min 1 (height / XYZ.norm place))))
+    standsAt r = r > least && r <= 1e6 && observerExists (sceneSpacetime scene) (sceneObserver scene) place
     placeRange =
       "a distance above "
         ++ showNumber least
         ++ " and up to 1e6 Schwarzschild radii from the hole (for the "
         ++ observerName (sceneObserver scene)
-        ++ " observer)"
+        ++ " observer"
+        ++ (if rotates && sceneObserver scene == Static then "; zamo and falling observers can be closer" else "")
+        ++ ")"
+    rotates = case sceneSpacetime scene of
+      Kerr _ -> True
+      _ -> False
     edges disk =
       [ Fault "disk.inner-radius" (NumberValue (diskInnerRadius disk)) "a radius from 0 to below the outer radius (Schwarzschild radii)"
         | diskInnerRadius disk >= diskOuterRadius disk

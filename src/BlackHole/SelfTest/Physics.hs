@@ -98,9 +98,9 @@ shadowAngleChecks =
   ]
   where
     edge r = 180 / pi * bisect (dark r) 0 (0.9 * pi)
-    dark r psi = case sightLine Schwarzschild Static (XYZ 0 0 r) (XYZ (sin psi) 0 (negate (cos psi))) of
+    dark r psi = case sightLine Schwarzschild Static (XYZ 0 0 r) (XYZ (sin psi) 0 (negate (cos psi))) >>= sightPhoton of
       Nothing -> True
-      Just (SightLine photon _) ->
+      Just photon ->
         let Photon x v = photon
             radial = XYZ.dot x v / r
          in case orbitFate (orbit r radial (XYZ.norm (angularMomentum photon) / r)) of

@@ -6,6 +6,7 @@ module BlackHole.Trace.Explain
   ( Explanation (..),
     Sighting (..),
     Arrival (..),
+    Constants (..),
     opticalDepth,
     Shown (..),
     explainPixel,
@@ -18,8 +19,9 @@ where
 import BlackHole.Light.Display
 import BlackHole.Light.Radiance
 import BlackHole.Physics.Fate (Fate)
+import BlackHole.Physics.Kerr.Sight (LightRay (..))
 import BlackHole.Physics.LightPath
-import BlackHole.Physics.Observer (SightLine (..))
+import BlackHole.Physics.Observer (SightLine (..), sightFrequency)
 import BlackHole.Physics.Photon (angularMomentum)
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
@@ -63,9 +65,7 @@ data Sighting = Sighting
 
 -- | The light that arrives along a line of sight, followed backwards.
 data Arrival = Arrival
-  { -- | @x × v@ at the camera for unit energy at infinity. Its length is the impact
-    -- parameter in Schwarzschild radii.
-    arrivalAngularMomentum :: !XYZ,
+  { arrivalConstants :: !Constants,
     -- | The observer's frequency over the frequency at infinity.
     arrivalFrequency :: !Double,
     arrivalFate :: !Fate,
@@ -81,6 +81,15 @@ data Arrival = Arrival
     -- | Radiance of the sky before it passes the gas.
     arrivalSky :: !Radiance
   }
+  deriving (Eq, Show)
+
+-- | What does not change along a light path, for unit energy at infinity.
+data Constants
+  = -- | @x × v@. Its length is the impact parameter in Schwarzschild radii.
+    AngularMomentum !XYZ
+  | -- | Around a rotating hole: the angular momentum λ about the axis, in Schwarzschild
+    -- radii, and Carter's constant, in their squares.
+    LambdaAndCarter !Double !Double
   deriving (Eq, Show)
 
 -- | The optical depth of the gas along the path: −ln of the transmittance, at least 0,
@@ -145,12 +154,14 @@ gatheredAlong traced point sight = case counted traced point sight of
   Followed fate (Counted samples _) steps -> (fate, steps, samples)
 
 arrival :: Scene -> Tracer -> XY -> SightLine -> Arrival
-arrival scene traced point sight@(SightLine photon observed) =
+arrival scene traced point sight =
   case counted traced point sight of
     Followed fate (Counted samples (Gathered light transmittance)) steps ->
       Arrival
-        { arrivalAngularMomentum = angularMomentum photon,
-          arrivalFrequency = observed,
+        { arrivalConstants = case sight of
+            SightLine photon _ -> AngularMomentum (angularMomentum photon)
+            RotatingSight _ _ ray -> LambdaAndCarter (rayLambda ray) (rayEta ray),
+          arrivalFrequency = sightFrequency sight,
           arrivalFate = fate,
           arrivalCrossings = planeCrossings scene sight,
           arrivalSteps = steps,
@@ -163,7 +174,7 @@ arrival scene traced point sight@(SightLine photon observed) =
 counted :: Tracer -> XY -> SightLine -> Followed Counted
 counted traced point sight = followSight traced point sight count (Counted 0 nothingYet)
   where
-    !shade = tracedGas traced (sightFrequency sight)
+    !shade = tracedGas traced sight
     count (Counted n before) stretch = case shade before stretch of
       Onward after -> Onward (Counted (n + added before after) after)
       Hidden after -> Hidden (Counted (n + added before after) after)

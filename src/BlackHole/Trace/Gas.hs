@@ -11,6 +11,7 @@ module BlackHole.Trace.Gas
     Gas,
     gas,
     gatherGas,
+    gatherGasAround,
     gatherParity,
   )
 where
@@ -20,8 +21,13 @@ import qualified BlackHole.Light.BlackBodyTable as BlackBodyTable (Brightness (.
 import BlackHole.Light.Display (decodeSrgb)
 import BlackHole.Light.Radiance
 import BlackHole.Numeric.Exponential (exponential)
+import BlackHole.Physics.Kerr.GasFlow (Frequencies (..), GasFlow, gasFlow, gasFrequencies)
+import BlackHole.Physics.Kerr.Landmarks (horizonRadius)
+import BlackHole.Physics.Kerr.Sight (LightRay)
+import qualified BlackHole.Physics.Kerr.ThinDisk as Kerr
 import BlackHole.Physics.LightPath
 import BlackHole.Physics.Redshift (gasFrequency)
+import BlackHole.Physics.Spacetime (Spacetime (..))
 import BlackHole.Physics.ThinDisk (relativeTemperature)
 import BlackHole.Scene.Disk
 import BlackHole.Scene.Shifts
@@ -72,7 +78,11 @@ data Gas = Gas
     -- | Opacity per length of dense gas.
     gasExtinction :: {-# UNPACK #-} !Double,
     gasShifts :: !Shifts,
-    gasGlow :: !Glow
+    -- | The horizon's radius; there is no gas at and inside it.
+    gasHorizon :: {-# UNPACK #-} !Double,
+    gasGlow :: !Glow,
+    -- | How the gas flows around a rotating hole.
+    gasAround :: !(Maybe GasFlow)
   }
 
 -- | How gas shines.
@@ -86,13 +96,19 @@ data Glow
 
 -- | The gas of a disk under a seed, with the shifts that count, for an eye at a
 -- place with pixels of an angle and so many samples.
-gas :: Word64 -> Shifts -> Disk -> XYZ -> Double -> Int -> Gas
-gas seed shifts disk eye pixel samples =
+gas :: Spacetime -> Word64 -> Shifts -> Disk -> XYZ -> Double -> Int -> Gas
+gas space seed shifts disk eye pixel samples =
   Gas
-    { gasDensity = gasField seed disk eye pixel samples,
+    { gasDensity = gasField space seed disk eye pixel samples,
       gasOuter = diskOuterRadius disk,
       gasExtinction = diskOpacity disk / diskThickness disk,
       gasShifts = shifts,
+      gasHorizon = case space of
+        Kerr hole -> horizonRadius hole
+        _ -> 1,
+      gasAround = case space of
+        Kerr hole -> Just (gasFlow hole)
+        _ -> Nothing,
       gasGlow = case diskColour disk of
         HueRamp -> ByRadius (diskBrightness disk)
         BlackBody peak -> let blackBody = blackBodyRadiance BlackBodyTable.Bolometric peak in byTemperature (\t -> blackBody (t * peak))
@@ -101,10 +117,13 @@ gas seed shifts disk eye pixel samples =
   where
     byTemperature light =
       ByTemperature
-        (tabulate 1 2048 (regionInnerRadius (diskRegion Fine disk)) (diskOuterRadius disk) (pure . relativeTemperature))
+        (tabulate 1 2048 (regionInnerRadius (diskRegion Fine disk)) (diskOuterRadius disk) (pure . temperatureAt))
         (tabulate 3 4096 0 hottest (\t -> let Radiance r g b = glow t in [r, g, b]))
         glow
       where
+        temperatureAt = case space of
+          Kerr hole -> Kerr.relativeTemperature (Kerr.thinDisk hole)
+          _ -> relativeTemperature
         glow t = scaleRadiance (diskBrightness disk) (light t)
 
 -- | Relative temperatures that are tabulated. Only somebody who falls or orbits
@@ -115,13 +134,24 @@ hottest = 4
 -- | @gatherGas gas observed@ adds the gas of one stretch, for light that an
 -- observer sees at @observed@ times its frequency at infinity.
 gatherGas :: Gas -> Double -> Gathered -> Stretch -> Onward Gathered
-gatherGas g observed gathered stretch = onward (throughGas g observed gathered stretch)
+gatherGas g observed gathered stretch = onward (throughGas g Planar observed gathered stretch)
 {-# INLINE gatherGas #-}
+
+-- | 'gatherGas' for a ray around a rotating hole.
+gatherGasAround :: Gas -> LightRay -> Double -> Gathered -> Stretch -> Onward Gathered
+gatherGasAround g ray = case gasAround g of
+  Nothing -> gatherGas g
+  Just flow -> let !light = Around flow ray in \observed gathered stretch -> onward (throughGas g light observed gathered stretch)
+{-# INLINE gatherGasAround #-}
+
+-- | What else than the segment decides the frequency of light in the gas: nothing on a
+-- path in a plane; around a rotating hole the flow and the ray's constants.
+data Light = Planar | Around !GasFlow !LightRay
 
 -- A call of its own: inlined into the loop that follows a path, it would leave
 -- no register for either. The gas goes in as a pointer, for which 'lazy' stands.
-throughGas :: Gas -> Double -> Gathered -> Stretch -> Gathered
-throughGas prepared !observed !gathered !stretch = case gasAt (gasDensity g) place r extent of
+throughGas :: Gas -> Light -> Double -> Gathered -> Stretch -> Gathered
+throughGas prepared light !observed !gathered !stretch = case gasAt (gasDensity g) place r extent of
   Here dense heat
     | dense < thinnest -> gathered
     | otherwise -> shining (gasExtinction g * dense) heat
@@ -140,11 +170,15 @@ throughGas prepared !observed !gathered !stretch = case gasAt (gasDensity g) pla
           (scaleRadiance brightness (hueRamp ((r - 1) / (gasOuter g - 1))))
           gathered
       ByTemperature temperatures table glow
-        | r <= 1 -> gathered
-        | otherwise ->
-          let !static = sqrt (r / (r - 1))
-              !emitted = gasFrequency place r velocity
-              -- The length of the stretch in the gas's own frame, where its
+        | r <= gasHorizon g -> gathered
+        | otherwise -> case light of
+          Planar -> glowing heat opacity temperatures table glow (sqrt (r / (r - 1))) (gasFrequency place r velocity)
+          Around flow ray -> case gasFrequencies flow ray r (py / r) (px * vx + py * vy + pz * vz > 0) of
+            Frequencies emitted beside -> glowing heat opacity temperatures table glow beside emitted
+    -- The frequencies over that at infinity for the observer at rest beside the gas
+    -- (around a rotating hole, the one without angular momentum), and for the gas.
+    glowing !heat !opacity !temperatures !table glow !static !emitted =
+          let -- The length of the stretch in the gas's own frame, where its
               -- opacity is meant: ν_em times the affine length. Without the
               -- Doppler shift that gas is thought at rest.
               Shifts doppler gravity = gasShifts g

@@ -36,7 +36,10 @@ import BlackHole.Numeric.Exponential (exponential, sineOfTurns)
 import BlackHole.Numeric.Floor (turnFraction)
 import BlackHole.Physics.Angle (arcTangent2)
 import BlackHole.Physics.GasMotion (keplerianRate)
+import BlackHole.Physics.Kerr.GasFlow (gasFlow, orbitalRate)
+import BlackHole.Physics.Kerr.Landmarks (Handedness (RightHanded), iscoRadius)
 import BlackHole.Physics.LightPath (halfHeightAt, regionInnerRadius)
+import BlackHole.Physics.Spacetime (Spacetime (..))
 import BlackHole.Scene.Disk
 import BlackHole.Trace.Seeds
 import BlackHole.Trace.Tabulated
@@ -103,8 +106,8 @@ data Pattern
 
 -- | The density of a disk under a seed, for an eye at a place with pixels of an
 -- angle and so many samples.
-gasField :: Word64 -> Disk -> XYZ -> Double -> Int -> GasField
-gasField seed disk eye pixel samples =
+gasField :: Spacetime -> Word64 -> Disk -> XYZ -> Double -> Int -> GasField
+gasField space seed disk eye pixel samples =
   GasField
     { fieldOuter = outer,
       fieldThickness = diskThicknessAt disk 0,
@@ -135,7 +138,7 @@ gasField seed disk eye pixel samples =
       fieldSheets = noise,
       fieldFirst = first,
       fieldSecond = second,
-      fieldRadial = tabulate 3 2048 innermost outer $ \r -> [logEdges r, log r, keplerianRate (max 3 r) / (2 * pi)],
+      fieldRadial = tabulate 3 2048 innermost outer $ \r -> [logEdges r, log r, rate r / (2 * pi)],
       fieldDetail = tabulate 3 1024 0 1 (detail disk moments),
       fieldEye = eye,
       fieldPixel = pixel,
@@ -152,7 +155,7 @@ gasField seed disk eye pixel samples =
     logEdges r = logLogistic (10 * (r - inner)) + logLogistic (15 * (diskFade disk - r / outer))
     armScale = 16 * diskArmNoiseFrequency disk
     -- The arms turn with the gas half way out, by orders of magnitude.
-    armTurn = diskTime disk * keplerianRate (max 3 (sqrt (max 1 inner * outer)))
+    armTurn = diskTime disk * rate (sqrt (max 1 inner * outer))
     noise = sheets (purposeSeed seed GasTurbulence) (diskTurbulenceOctaves disk) (diskTurbulenceGain disk)
     woven = Weave (diskTurbulenceFilaments disk) (diskTurbulenceWarp disk) (diskTurbulenceGrowth disk)
     moments = turbulenceMoments disk noise woven first second
@@ -160,7 +163,11 @@ gasField seed disk eye pixel samples =
     armHeat
       | diskTurbulenceHeat disk == 0 || diskArms disk == 0 = 0
       | otherwise = 0.25 * log (sum [exp (4 * diskTurbulenceHeat disk * armFluctuation (diskArmDepth disk) (sin (2 * pi * fromIntegral k / 256))) | k <- [1 .. 256 :: Int]] / 256)
-    (first, second) = patterns (diskTime disk * keplerianRate (max 3 inner) / (2 * pi)) (2 * pi / keplerianRate (max 3 inner))
+    (first, second) = patterns (diskTime disk * rate inner / (2 * pi)) (2 * pi / rate inner)
+    -- Of circular orbits; inside the innermost stable one the pattern turns as there.
+    rate = case space of
+      Kerr hole -> orbitalRate (gasFlow hole) . max (iscoRadius RightHanded hole)
+      _ -> keplerianRate . max 3
 
 -- | The two patterns at a time in lives, each life of this length. Their weights
 -- add up to 1; the sum of their squares is made 1 in 'turbulence'.

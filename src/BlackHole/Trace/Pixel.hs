@@ -32,6 +32,8 @@ import BlackHole.Light.Radiance
 import BlackHole.Numeric.Floor (turnFraction)
 import BlackHole.Physics.ExactPath
 import BlackHole.Physics.Fate
+import BlackHole.Physics.Kerr.Follow
+import BlackHole.Physics.Kerr.Radial (photonOrbitOffset)
 import BlackHole.Physics.Leapfrog
 import BlackHole.Physics.LensBeam
 import BlackHole.Physics.LensTable
@@ -99,7 +101,7 @@ tracerUnder picture scene = do
         tracerEye = eye (sceneSpacetime scene) (sceneObserver scene) place,
         tracerSkyShift = case sceneSpacetime scene of
           Flat -> noSkyShift
-          Schwarzschild -> skyShiftAt (sceneShifts scene) (XYZ.norm place),
+          space -> skyShiftAt (sceneShifts scene) (frequencyAtRest space place),
         tracerRegion = sceneRegion scene,
         tracerMatter = matter,
         tracerTable = table,
@@ -117,44 +119,52 @@ tracerUnder picture scene = do
       Nothing -> Vacuum
       Just disk
         | sceneDebugTextures scene -> Checks disk
-        | otherwise -> Gaseous (gas seed (sceneShifts scene) disk place (pixelAngle (sceneCamera scene) (scenePicture scene)) (sceneSamples scene))
+        | otherwise -> Gaseous (gas (sceneSpacetime scene) seed (sceneShifts scene) disk place (pixelAngle (sceneCamera scene) (scenePicture scene)) (sceneSamples scene))
 
 -- | The parts of a tracer that take time to compute, for evaluation in advance and in
 -- parallel. Otherwise the first ray that needs a part waits for it.
 tracerTables :: Tracer -> [()]
 tracerTables traced =
-  seq (tracerMatter traced) () : seq (tracerSky traced) () : [seq (tracerTable traced) () | sceneIntegrator (tracerScene traced) == Tabulated]
+  seq (tracerMatter traced) () : seq (tracerSky traced) () : [seq (tracerTable traced) () | sceneIntegrator scene == Tabulated, not (rotates (sceneSpacetime scene))]
+  where
+    scene = tracerScene traced
+    rotates space = case space of
+      Kerr _ -> True
+      _ -> False
 
 -- | Follows a line of sight by the scene's integrator and passes the segments that may
 -- contain gas to the gathering function. The line of sight must be the one through this
 -- point of the picture.
 followSight :: Tracer -> XY -> SightLine -> (a -> Stretch -> Onward a) -> a -> Followed a
-followSight traced point sight = case sceneIntegrator scene of
-  Tabulated -> followSwept space (tracerTable traced) region (stepPhase point) photon
-  Exact -> followExact space region photon
-  Leapfrogging -> followLeapfrog (sceneLeapfrog scene) space region photon
+followSight traced point sight = case sight of
+  RotatingSight hole azimuth ray -> followKerr hole region (stepPhase point) azimuth ray
+  SightLine photon _ -> case sceneIntegrator scene of
+    Tabulated -> followSwept space (tracerTable traced) region (stepPhase point) photon
+    Exact -> followExact space region photon
+    Leapfrogging -> followLeapfrog (sceneLeapfrog scene) space region photon
   where
     scene = tracerScene traced
     space = sceneSpacetime scene
     region = tracerRegion traced
-    photon = sightPhoton sight
 
 -- | The light of everything along a line of sight, and what lies behind it.
 followLight :: Tracer -> XY -> SightLine -> Followed Gathered
-followLight traced point sight = case (sceneIntegrator scene, tracerMatter traced) of
-  -- The one case compiled into a loop of its own.
-  (Tabulated, Gaseous glowing) ->
+followLight traced point sight = case (sight, sceneIntegrator scene, tracerMatter traced) of
+  -- The two cases compiled into loops of their own.
+  (SightLine photon observed, Tabulated, Gaseous glowing) ->
     followSwept
       (sceneSpacetime scene)
       (tracerTable traced)
       (tracerRegion traced)
       (stepPhase point)
-      (sightPhoton sight)
-      (gatherGas glowing (sightFrequency sight))
+      photon
+      (gatherGas glowing observed)
       nothingYet
-  (Tabulated, Vacuum) ->
-    Followed (sweptFate (sceneSpacetime scene) (tracerTable traced) (sightPhoton sight)) nothingYet 0
-  _ -> followSight traced point sight (tracedGas traced (sightFrequency sight)) nothingYet
+  (RotatingSight hole azimuth ray, _, Gaseous glowing) ->
+    followKerr hole (tracerRegion traced) (stepPhase point) azimuth ray (gatherGasAround glowing ray (sightFrequency sight)) nothingYet
+  (SightLine photon _, Tabulated, Vacuum) ->
+    Followed (sweptFate (sceneSpacetime scene) (tracerTable traced) photon) nothingYet 0
+  _ -> followSight traced point sight (tracedGas traced sight) nothingYet
   where
     scene = tracerScene traced
 
@@ -208,16 +218,16 @@ onlySample traced column row = mapRadiance (max 0) (sightRadiance traced place)
 -- | 'sightRadiance' of three points, from three leapfrogs interleaved on one core.
 threeSights :: Tracer -> XY -> XY -> XY -> (Radiance, Radiance, Radiance)
 threeSights traced p0 p1 p2 = case (tracedSight traced p0, tracedSight traced p1, tracedSight traced p2) of
-  (Just s0, Just s1, Just s2) ->
-    let gathering sight = (sightPhoton sight, tracedGas traced (sightFrequency sight))
+  (Just s0@(SightLine photon0 _), Just s1@(SightLine photon1 _), Just s2@(SightLine photon2 _)) ->
+    let gathering photon sight = (photon, tracedGas traced sight)
         (f0, f1, f2) =
           followThree
             (sceneLeapfrog scene)
             (sceneSpacetime scene)
             (tracerRegion traced)
-            (gathering s0)
-            (gathering s1)
-            (gathering s2)
+            (gathering photon0 s0)
+            (gathering photon1 s1)
+            (gathering photon2 s2)
             nothingYet
      in (seen traced Nothing p0 s0 f0, seen traced Nothing p1 s1 f1, seen traced Nothing p2 s2 f2)
   _ -> (sightRadiance traced p0, sightRadiance traced p1, sightRadiance traced p2)
@@ -297,12 +307,14 @@ tracedDirection traced = sightDirection (tracerPlane traced)
 tracedSight :: Tracer -> XY -> Maybe SightLine
 tracedSight traced point = sightFrom (tracerEye traced) (sightDirection (tracerPlane traced) point)
 
--- | The contribution of a segment of the scene's gas, from the observer's frequency.
-tracedGas :: Tracer -> Double -> Gathered -> Stretch -> Onward Gathered
-tracedGas traced observed = case tracerMatter traced of
+-- | The contribution of a segment of the scene's gas along a line of sight.
+tracedGas :: Tracer -> SightLine -> Gathered -> Stretch -> Onward Gathered
+tracedGas traced sight = case tracerMatter traced of
   Vacuum -> \gathered _ -> Onward gathered
   Checks disk -> gatherParity disk
-  Gaseous glowing -> gatherGas glowing observed
+  Gaseous glowing -> case sight of
+    SightLine _ observed -> gatherGas glowing observed
+    RotatingSight _ _ ray -> gatherGasAround glowing ray (sightFrequency sight)
 
 -- | The radiance that the sky sends to the end of a line of sight through a point of
 -- the picture, without gas in between.
@@ -322,12 +334,11 @@ tracedSky traced point sight fate = case fate of
 -- answer, the paths through points beside it. 'Nothing' if no light arrives from the
 -- sky.
 tracedBeam :: Tracer -> XY -> SightLine -> XYZ -> Maybe Beam
-tracedBeam traced point@(XY x y) sight direction = case sceneSpacetime (tracerScene traced) of
-  Schwarzschild
-    | Just beside <- tracedSight traced (XY (x + step) y),
-      Just below <- tracedSight traced (XY x (y + step)),
-      Just (LensChanges alongX alongY) <-
-        lensChanges (tracerTable traced) (sightPhoton sight) direction (sightPhoton beside) (sightPhoton below) ->
+tracedBeam traced point@(XY x y) sight direction = case (sceneSpacetime (tracerScene traced), sight) of
+  (Schwarzschild, SightLine photon _)
+    | Just (SightLine beside _) <- tracedSight traced (XY (x + step) y),
+      Just (SightLine below _) <- tracedSight traced (XY x (y + step)),
+      Just (LensChanges alongX alongY) <- lensChanges (tracerTable traced) photon direction beside below ->
       Just (Beam direction ((1 / step) *^ alongX) ((1 / step) *^ alongY))
   _ -> beamByDifferences escape point
   where
@@ -340,16 +351,17 @@ escapeDirection traced point sight = case fate of
   Escaped direction -> Just direction
   _ -> Nothing
   where
-    fate
-      | sceneIntegrator (tracerScene traced) == Tabulated = sweptFate (sceneSpacetime (tracerScene traced)) (tracerTable traced) (sightPhoton sight)
-      | otherwise = followedFate (followSight traced {tracerRegion = emptyRegion} point sight (\() _ -> Onward ()) ())
+    fate = case sight of
+      SightLine photon _ | sceneIntegrator (tracerScene traced) == Tabulated -> sweptFate (sceneSpacetime (tracerScene traced)) (tracerTable traced) photon
+      RotatingSight hole azimuth ray -> kerrEnd hole azimuth ray
+      _ -> followedFate (followSight traced {tracerRegion = emptyRegion} point sight (\() _ -> Onward ()) ())
 
 -- | Whether the edge of the shadow passes through or beside the pixel around a point of
 -- the picture. All higher-order images of the gas crowd together at that edge in rings
 -- thinner than a pixel.
 meetsPhotonRing :: Tracer -> XY -> Bool
-meetsPhotonRing traced point@(XY x y) = case (sceneSpacetime scene, tracerMatter traced, tracedOffset point) of
-  (Schwarzschild, Gaseous _, Just here)
+meetsPhotonRing traced point@(XY x y) = case (tracerMatter traced, tracedOffset point) of
+  (Gaseous _, Just here)
     -- Most pixels are thousands of pixels away from the ring; dismiss them cheaply.
     -- Fast observers see the ring grow or shrink, but by less than this factor.
     | abs here < 16 * pixelAngle (sceneCamera scene) (scenePicture scene),
@@ -359,7 +371,12 @@ meetsPhotonRing traced point@(XY x y) = case (sceneSpacetime scene, tracerMatter
   _ -> False
   where
     scene = tracerScene traced
-    tracedOffset = fmap (criticalOffset (tracerTable traced) . sightPhoton) . tracedSight traced
+    tracedOffset place = do
+      sight <- tracedSight traced place
+      case (sceneSpacetime scene, sight) of
+        (Schwarzschild, SightLine photon _) -> Just (criticalOffset (tracerTable traced) photon)
+        (_, RotatingSight hole _ ray) -> photonOrbitOffset hole ray
+        _ -> Nothing
 
 -- | One of a pixel's samples, by column, row and sample number.
 samplePoint :: Scene -> Int -> Int -> Int -> Sample

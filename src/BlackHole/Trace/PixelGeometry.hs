@@ -9,6 +9,10 @@ module BlackHole.Trace.PixelGeometry
   )
 where
 
+import BlackHole.Physics.Kerr.GasFlow
+import BlackHole.Physics.Kerr.Landmarks (Spin)
+import BlackHole.Physics.Kerr.Path
+import BlackHole.Physics.Kerr.Sight (LightRay (..))
 import BlackHole.Physics.LensTable
 import BlackHole.Physics.Observer
 import BlackHole.Physics.Photon
@@ -64,6 +68,7 @@ pixelGeometry scene = at <$> cameraFrame (sceneCamera scene)
           case sightFrom seer (sightDirection plane (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5))) of
             Nothing -> PixelGeometry Nothing Nothing
             Just sight -> along sight
+    along (RotatingSight hole azimuth ray) = rotatingGeometry scene hole azimuth ray
     along (SightLine (Photon _ velocity) observed) =
       PixelGeometry
         { geometryDeflection = case sweepEnd sweep of
@@ -81,8 +86,8 @@ pixelGeometry scene = at <$> cameraFrame (sceneCamera scene)
         straight = atan2 tangential radial
         !b = r * tangential
         (!sweep, !pull) = case sceneSpacetime scene of
-          Schwarzschild -> (lensSweep table radial tangential, 1.5)
           Flat -> (lineSweep (1 / r) (negate radial / b), 0)
+          _ -> (lensSweep table radial tangential, 1.5)
         !spacing = sweepSpacing sweep
         !(XYZ _ height1 _) = outset
         !(XYZ _ height2 _) = onward
@@ -110,3 +115,22 @@ pixelGeometry scene = at <$> cameraFrame (sceneCamera scene)
             outward = cos angle *^ outset ^+^ sin angle *^ onward
             forward = cos angle *^ onward ^-^ sin angle *^ outset
             velocity' = (negate b * slope) *^ outward ^+^ (b * u) *^ forward
+
+-- | The geometry of a ray around a rotating hole. Its deflection is the angle swept along
+-- the great circle that precesses, less that of a straight line.
+rotatingGeometry :: Scene -> Spin -> Azimuth -> LightRay -> PixelGeometry
+rotatingGeometry scene hole azimuth ray =
+  PixelGeometry
+    { geometryDeflection = case kerrFate path of
+        Escapes _ -> subtract (kerrStraightSweep ray) <$> kerrSweep path
+        _ -> Nothing,
+      geometryDiskHit = sceneDisk scene >>= \disk -> listToMaybe (mapMaybe (hit disk) (kerrPlanePoints path))
+    }
+  where
+    path = kerrPath hole azimuth ray
+    hit disk point
+      | r >= diskInnerRadius disk && r <= diskOuterRadius disk =
+        DiskHit r . (rayObserved ray /) <$> planeFrequency (gasFlow hole) ray r (pointGrows point)
+      | otherwise = Nothing
+      where
+        r = pointRadius point

@@ -8,11 +8,15 @@ where
 
 import BlackHole.Physics.Course (CoursePoint (..), courseFromPhoton, coursePlanePoints)
 import BlackHole.Physics.ExactPath (straightImpact)
+import BlackHole.Physics.Kerr.GasFlow
+import BlackHole.Physics.Kerr.Landmarks (Spin)
+import BlackHole.Physics.Kerr.Path
+import BlackHole.Physics.Kerr.Sight (LightRay (..))
 import BlackHole.Physics.Leapfrog (followLeapfrog)
 import BlackHole.Physics.LightPath
 import BlackHole.Physics.Observer (SightLine (..))
 import BlackHole.Physics.Photon
-import BlackHole.Physics.Redshift (RedshiftParts, gasRedshift)
+import BlackHole.Physics.Redshift (RedshiftParts (..), gasRedshift)
 import BlackHole.Physics.Spacetime (Spacetime (..))
 import BlackHole.Scene.Scene
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
@@ -38,11 +42,28 @@ data PlaneCrossing = PlaneCrossing
 -- For exact orbits the crossings follow in closed form. For the leapfrog they are
 -- interpolated between its steps, with an error of the order of the leapfrog's own.
 planeCrossings :: Scene -> SightLine -> [PlaneCrossing]
-planeCrossings scene (SightLine photon observed) =
-  map (crossingAt observed) $ case (sceneIntegrator scene, sceneSpacetime scene) of
-    (Leapfrogging, _) -> leapfrogCrossings scene photon
-    (_, Schwarzschild) -> map pointPhoton (coursePlanePoints (courseFromPhoton observed photon))
-    (_, Flat) -> maybeToList (straightCrossing photon)
+planeCrossings scene sight = case sight of
+  RotatingSight hole azimuth ray -> map (rotatingCrossing hole ray) (kerrPlanePoints (kerrPath hole azimuth ray))
+  SightLine photon observed ->
+    map (crossingAt observed) $ case (sceneIntegrator scene, sceneSpacetime scene) of
+      (Leapfrogging, _) -> leapfrogCrossings scene photon
+      (_, Flat) -> maybeToList (straightCrossing photon)
+      _ -> map pointPhoton (coursePlanePoints (courseFromPhoton observed photon))
+
+-- | A crossing around a rotating hole. Gravity's part of the shift is that of gas without
+-- angular momentum, which turns with space.
+rotatingCrossing :: Spin -> LightRay -> KerrPoint -> PlaneCrossing
+rotatingCrossing hole ray point =
+  PlaneCrossing
+    { crossingRadius = r,
+      crossingAzimuth = atan2 (cos (pointAzimuth point)) (sin (pointAzimuth point)),
+      crossingShift = shift <$> planeFrequency flow ray r (pointGrows point)
+    }
+  where
+    r = pointRadius point
+    flow = gasFlow hole
+    beside = frequencyBeside (gasFrequencies flow ray r 0 (pointGrows point))
+    shift emitted = RedshiftParts (rayObserved ray / beside) (beside / emitted)
 
 crossingAt :: Double -> Photon -> PlaneCrossing
 crossingAt observed (Photon place@(XYZ x _ z) velocity) =

@@ -71,7 +71,7 @@ chord (XYZ x y z) (XYZ dx dy dz) = max 0 (min t1 s1 - maximum [0, t0, s0])
     interval p q = (min p q, max p q)
 
 withSight :: XYZ -> XYZ -> (Photon -> Property) -> Property
-withSight x d f = maybe (property Discard) (f . sightPhoton) (sightLine Schwarzschild Static x d)
+withSight x d f = maybe (property Discard) f (sightLine Schwarzschild Static x d >>= sightPhoton)
 
 exact :: Region -> Photon -> Followed Double
 exact region photon =

@@ -118,7 +118,7 @@ spec = do
       total (at 0.1) `shouldBeWithin` (0.06, total (at 0.9))
   where
     onAxis azimuth =
-      sightPhoton <$> sightLine Schwarzschild Static (XYZ 0 15 0) (XYZ (0.4 * cos azimuth) (-(sqrt 0.84)) (0.4 * sin azimuth))
+      sightLine Schwarzschild Static (XYZ 0 15 0) (XYZ (0.4 * cos azimuth) (-(sqrt 0.84)) (0.4 * sin azimuth)) >>= sightPhoton
 
 -- | A photon of unit energy, and where there is gas.
 data View = View Spacetime LensTable Photon Region
@@ -149,7 +149,7 @@ view = do
     _ -> view
   where
     nearest Flat _ = 1
-    nearest Schwarzschild observer = observerRange Schwarzschild observer
+    nearest Schwarzschild observer = observerRange Schwarzschild observer 0
     notCritical space photon =
       let b = XYZ.norm (angularMomentum photon)
        in abs (b - (if space == Flat then 1 else criticalImpactParameter)) > 1e-3
@@ -165,7 +165,7 @@ tables :: [(Double, LensTable)]
 tables = [(r, lensTable r) | r <- [0.3, 0.8, 1.02, 1.3, 1.5, 1.7, 2.2, 3.1, 4.5, 7, 11, 20, 60]]
 
 seen :: Spacetime -> Observer -> XYZ -> XYZ -> (Photon -> Property) -> Property
-seen space observer place direction f = maybe (property Discard) (f . sightPhoton) (sightLine space observer place direction)
+seen space observer place direction f = maybe (property Discard) f (sightLine space observer place direction >>= sightPhoton)
 
 swept :: Spacetime -> Region -> Photon -> Followed [Stretch]
 swept space region photon = sweptBy (lensTable (XYZ.norm (photonPosition photon))) space region photon

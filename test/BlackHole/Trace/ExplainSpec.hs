@@ -58,7 +58,7 @@ spec = do
     case (explainPixel small 4 3, tracer small >>= \traced -> tracedSight traced (XY 4.5 3.5)) of
       (Just explanation, Just (SightLine photon observed)) -> case sightingArrival (explainedMiddle explanation) of
         Just light -> do
-          arrivalAngularMomentum light `shouldBe` angularMomentum photon
+          arrivalConstants light `shouldBe` AngularMomentum (angularMomentum photon)
           arrivalFrequency light `shouldBe` observed
           observed `shouldBeWithin` (1e-14, 1 / sqrt (1 - 1 / 30))
         Nothing -> expectationFailure "no light"

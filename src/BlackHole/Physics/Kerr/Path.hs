@@ -15,6 +15,8 @@ module BlackHole.Physics.Kerr.Path
     kerrPlanePoints,
     kerrCosineRate,
     kerrPassages,
+    kerrSweep,
+    kerrStraightSweep,
   )
 where
 
@@ -44,7 +46,10 @@ data KerrPath = KerrPath
     -- | @kerrPassages path r c@: the Mino times between which the path is within the
     -- radius @r@ and can have @|cos θ| ≤ c@, in order and apart from each other. At most
     -- a thousand for a path that circles for ever.
-    kerrPassages :: Double -> Double -> [(Double, Double)]
+    kerrPassages :: Double -> Double -> [(Double, Double)],
+    -- | The angle in radians swept to the end along the great circle that precesses;
+    -- 'Nothing' for a ray without one, which is nearly radial.
+    kerrSweep :: Maybe Double
   }
 
 -- | An azimuth of the observer in radians: Boyer–Lindquist's φ, or the ingoing
@@ -78,6 +83,12 @@ data KerrPoint = KerrPoint
   }
   deriving (Eq, Show)
 
+-- | The angle that a straight line would sweep from the start of a ray to infinity.
+kerrStraightSweep :: LightRay -> Double
+kerrStraightSweep ray = atan2 (rayRadius ray * sqrt (turning * turning + rayPolarRate ray * rayPolarRate ray)) (rayRadialRate ray)
+  where
+    turning = rayLambda ray / raySine ray
+
 -- | The path of a ray from an observer at an azimuth.
 kerrPath :: Spin -> Azimuth -> LightRay -> KerrPath
 kerrPath hole azimuth ray = case (radial hole ray, latitude hole ray) of
@@ -105,7 +116,8 @@ closedPath hole azimuth ray r l =
           [ (max from begin, min to close)
             | (begin, close) <- takeWhile ((< to) . fst) (take 1000 (timesNearPlane l steepest)),
               close > from
-          ]
+          ],
+      kerrSweep = if isInfinite time then Nothing else Just (phaseAngle (phaseAfter l time) - phaseAngle (phaseAtStart l))
     }
   where
     (end, time) = radialEnd r
@@ -146,7 +158,8 @@ seriesOnly hole azimuth ray =
       kerrPoint = pointAt,
       kerrPlanePoints = filter ((> horizonRadius hole) . pointRadius) (map pointAt (seriesCrossingTimes path)),
       kerrCosineRate = seriesCosineRate path,
-      kerrPassages = seriesPassages path
+      kerrPassages = seriesPassages path,
+      kerrSweep = Nothing
     }
   where
     path = seriesPath hole ray

@@ -23,6 +23,7 @@ module BlackHole.Physics.Kerr.Radial
     dragging,
     regularDragging,
     radialPotential,
+    photonOrbitOffset,
   )
 where
 
@@ -85,6 +86,22 @@ radialPotential hole ray r = p * p - delta * kappa
     p = r * r + a * (a - lambda)
     delta = (r - horizonRadius hole) * (r - innerHorizonRadius hole)
     kappa = rayEta ray + (lambda - a) * (lambda - a)
+
+-- | A smooth measure of how far a ray is from one that circles for ever on a photon
+-- orbit: the squared half distance of the two greatest roots over the squared radius of
+-- the orbit, positive for light that turns back there and negative for light that passes
+-- through. 'Nothing' where these roots belong to no orbit outside the horizon.
+photonOrbitOffset :: Spin -> LightRay -> Maybe Double
+photonOrbitOffset hole ray
+  | z > horizonRadius hole = Just (negate (0.5 * c2 + z * z + kappa / (4 * z)) / (z * z))
+  | otherwise = Nothing
+  where
+    a = spinLength hole
+    lambda = rayLambda ray
+    eta = rayEta ray
+    c2 = (a - lambda) * (a + lambda) - eta
+    kappa = eta + (lambda - a) * (lambda - a)
+    z = ferrari c2 kappa (negate (a * a * eta))
 
 -- | The radial motion of a ray, and the Mino time until it ends (infinite for a
 -- ray that approaches a photon orbit for ever, in every bit). 'Nothing' if no

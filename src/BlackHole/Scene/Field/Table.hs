@@ -12,6 +12,7 @@ import BlackHole.Light.Display (Exposure (..), ToneMap (..), toneMapName)
 import BlackHole.Light.Dither (Dither (..))
 import BlackHole.Physics.Angle
 import qualified BlackHole.Physics.Observer as Observer
+import BlackHole.Physics.Kerr.Landmarks
 import BlackHole.Physics.Spacetime (Spacetime (..))
 import BlackHole.Scene.Camera (Camera (cameraFieldOfView, cameraPose, cameraRoll), Picture (..), Pose (..), posePosition)
 import BlackHole.Scene.Disk (DiskColour (..), DiskProfile (..), defaultDisk)
@@ -67,6 +68,8 @@ sceneFields =
       `withOption` ("observer", "WHO"),
     switch Observer "physics.gravity" "Whether gravity bends light; without it, a black ball for the hole" gravityPart
       `withFlag` ("no-gravity", SwitchValue False, "Straight rays, and a black ball for the hole"),
+    number Observer "hole.spin" (Quantity "a spin" (Above (-1)) (Below 1) "of the greatest possible") "Spin of the hole, its angular momentum over the greatest possible; positive if it turns with the gas, 0 for a hole that does not rotate" spinPart
+      `withOption` ("spin", "A"),
     switch Observer "physics.doppler" "Show the shifts by the gas's motion" (shifts (part shiftsDoppler (\v s -> s {shiftsDoppler = v})))
       `withOption` ("doppler", "on|off"),
     switch Observer "physics.redshift" "Show the shifts by gravity" (shifts (part shiftsGravity (\v s -> s {shiftsGravity = v})))
@@ -152,7 +155,9 @@ sceneFields =
     angle = Quantity "an angle"
     observers =
       [ (Observer.Static, Observer.observerName Observer.Static, "at rest"),
+        (Observer.Zamo, Observer.observerName Observer.Zamo, "without angular momentum, turning with space"),
         (Observer.Orbiting, Observer.observerName Observer.Orbiting, "on a circular orbit"),
+        (Observer.CounterOrbiting, Observer.observerName Observer.CounterOrbiting, "on a circular orbit against the gas"),
         (Observer.Falling, Observer.observerName Observer.Falling, "falling in from rest at infinity"),
         (Observer.Coordinate, Observer.observerName Observer.Coordinate, "the report's: nobody real")
       ]
@@ -240,7 +245,31 @@ shifts :: Part Shifts a -> Part Scene a
 shifts = inside (part sceneShifts (\v s -> s {sceneShifts = v}))
 
 gravityPart :: Part Scene Bool
-gravityPart = part ((== Schwarzschild) . sceneSpacetime) (\on s -> s {sceneSpacetime = if on then Schwarzschild else Flat})
+gravityPart = part ((/= Flat) . sceneSpacetime) $ \on s -> case (on, sceneSpacetime s) of
+  (False, _) -> s {sceneSpacetime = Flat}
+  (True, Flat) -> s {sceneSpacetime = Schwarzschild}
+  (True, _) -> s
+
+-- A disk that reaches down to the innermost stable orbit goes on doing so; a radius that
+-- is given is set afterwards.
+spinPart :: Part Scene Double
+spinPart = Part (spinOf . sceneSpacetime) $ \v s -> case (sceneSpacetime s, spin v) of
+  (Flat, _) -> s
+  (_, Nothing) -> s
+  (before, Just hole) ->
+    let after = if v == 0 then Schwarzschild else Kerr hole
+        follow d
+          | abs (Gas.diskInnerRadius d - innermostOrbit before) < 1e-9 = d {Gas.diskInnerRadius = innermostOrbit after}
+          | otherwise = d
+     in s {sceneSpacetime = after, sceneDisk = follow <$> sceneDisk s}
+  where
+    spinOf space = case space of
+      Flat -> Nothing
+      Schwarzschild -> Just 0
+      Kerr hole -> Just (dimensionlessSpin hole)
+    innermostOrbit space = case space of
+      Kerr hole -> iscoRadius RightHanded hole
+      _ -> 3
 
 presencePart :: Part Scene Bool
 presencePart = part (isJust . sceneDisk) $ \present s -> case (present, sceneDisk s) of
