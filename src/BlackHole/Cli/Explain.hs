@@ -72,13 +72,13 @@ sightLines scene sighting =
   where
     XY px py = sightingPoint sighting
     arriving light =
-      constantLines (arrivalConstants light) ++
-      [ field "frequency, over infinity's" (number (arrivalFrequency light) ++ "  (" ++ observerName (sceneObserver scene) ++ " observer)"),
-        field "fate" ("  " ++ fateText (arrivalFate light)),
-        field "steps" ("  " ++ show (arrivalSteps light) ++ " (" ++ integratorName (sceneIntegrator scene) ++ ")"),
-        "",
-        "crossings of the disk's plane, in order from the camera, gas in front or not"
-      ]
+      constantLines (arrivalConstants light)
+        ++ [ field "frequency, over infinity's" (number (arrivalFrequency light) ++ "  (" ++ observerName (sceneObserver scene) ++ " observer)"),
+             field "fate" ("  " ++ fateText (arrivalFate light)),
+             field "steps" ("  " ++ show (arrivalSteps light) ++ " (" ++ integratorName (sceneIntegrator scene) ++ ")"),
+             "",
+             "crossings of the disk's plane, in order from the camera, gas in front or not"
+           ]
         ++ crossingLines scene (arrivalCrossings light)
         ++ [ "",
              "gas passed",

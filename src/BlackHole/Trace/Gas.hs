@@ -178,21 +178,21 @@ throughGas prepared light !observed !gathered !stretch = case gasAt (gasDensity 
     -- The frequencies over that at infinity for the observer at rest beside the gas
     -- (around a rotating hole, the one without angular momentum), and for the gas.
     glowing !heat !opacity !temperatures !table glow !static !emitted =
-          let -- The length of the stretch in the gas's own frame, where its
-              -- opacity is meant: ν_em times the affine length. Without the
-              -- Doppler shift that gas is thought at rest.
-              Shifts doppler gravity = gasShifts g
-              !frequency = if doppler then emitted else static
-              !tau = opacity * frequency * stretchAffineLength stretch
-              !shift = (if gravity then observed / static else 1) * (if doppler then static / emitted else 1)
-              !warmth = if heat == 0 then 1 else exponential heat
-              !temperature = warmth * shift * valueAt temperatures (rowAt temperatures r) 0
-              source
-                | temperature < hottest =
-                  let row = rowAt table temperature
-                   in Radiance (valueAt table row 0) (valueAt table row 1) (valueAt table row 2)
-                | otherwise = glow temperature
-           in pass tau source gathered
+      let -- The length of the stretch in the gas's own frame, where its
+          -- opacity is meant: ν_em times the affine length. Without the
+          -- Doppler shift that gas is thought at rest.
+          Shifts doppler gravity = gasShifts g
+          !frequency = if doppler then emitted else static
+          !tau = opacity * frequency * stretchAffineLength stretch
+          !shift = (if gravity then observed / static else 1) * (if doppler then static / emitted else 1)
+          !warmth = if heat == 0 then 1 else exponential heat
+          !temperature = warmth * shift * valueAt temperatures (rowAt temperatures r) 0
+          source
+            | temperature < hottest =
+              let row = rowAt table temperature
+               in Radiance (valueAt table row 0) (valueAt table row 1) (valueAt table row 2)
+            | otherwise = glow temperature
+       in pass tau source gathered
 {-# NOINLINE throughGas #-}
 
 -- | Less dense gas is left out: 'faintest'.

@@ -143,13 +143,13 @@ view = do
   inner <- oneof [pure 0, inRange 0.5 2.5]
   height <- (10 **) <$> inRange (-1.7) 0.3
   (constant, flare) <- elements [(height, 0), (0, height / 3), (height, height / 10)]
-  case sightLine space observer place direction of
-    Just sight
-      | notCritical space (sightPhoton sight) -> pure (View space table (sightPhoton sight) (fine (Region outer inner constant flare 1 1)))
+  case sightLine space observer place direction >>= sightPhoton of
+    Just photon
+      | notCritical space photon -> pure (View space table photon (fine (Region outer inner constant flare 1 1)))
     _ -> view
   where
     nearest Flat _ = 1
-    nearest Schwarzschild observer = observerRange Schwarzschild observer 0
+    nearest _ observer = observerRange Schwarzschild observer 0
     notCritical space photon =
       let b = XYZ.norm (angularMomentum photon)
        in abs (b - (if space == Flat then 1 else criticalImpactParameter)) > 1e-3

@@ -84,8 +84,8 @@ spec = do
     -- The angle from the axis behind the hole of what is seen at an angle from
     -- the hole, by the closed form.
     behind theta = fromMaybe (0 / 0) $ do
-      sight <- sightLine Schwarzschild Static (XYZ distance 0 0) (XYZ (-(cos theta)) (sin theta) 0)
-      case followedFate (followExact Schwarzschild emptyRegion (sightPhoton sight) (\() _ -> Onward ()) ()) of
+      photon <- sightLine Schwarzschild Static (XYZ distance 0 0) (XYZ (-(cos theta)) (sin theta) 0) >>= sightPhoton
+      case followedFate (followExact Schwarzschild emptyRegion photon (\() _ -> Onward ()) ()) of
         Escaped (XYZ x y _) -> Just (atan2 y (-x))
         _ -> Nothing
     imageAt beta = bisected (\theta -> behind theta - beta)

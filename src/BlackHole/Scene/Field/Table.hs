@@ -11,8 +11,8 @@ where
 import BlackHole.Light.Display (Exposure (..), ToneMap (..), toneMapName)
 import BlackHole.Light.Dither (Dither (..))
 import BlackHole.Physics.Angle
-import qualified BlackHole.Physics.Observer as Observer
 import BlackHole.Physics.Kerr.Landmarks
+import qualified BlackHole.Physics.Observer as Observer
 import BlackHole.Physics.Spacetime (Spacetime (..))
 import BlackHole.Scene.Camera (Camera (cameraFieldOfView, cameraPose, cameraRoll), Picture (..), Pose (..), posePosition)
 import BlackHole.Scene.Disk (DiskColour (..), DiskProfile (..), defaultDisk)
