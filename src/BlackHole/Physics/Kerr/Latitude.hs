@@ -156,8 +156,13 @@ precession l phase
   | _latitudeSpin2 l == 0 = 0
   | otherwise = integrate panels rate (phaseAngle (_latitudeStart l)) (phaseAngle phase)
   where
-    panels = 1 + floor ((phaseAngle phase - phaseAngle (_latitudeStart l)) / (0.5 * pi))
+    panels = 1 + floor ((phaseAngle phase - phaseAngle (_latitudeStart l)) / width)
     a2 = _latitudeSpin2 l
+    -- The integrand's nearest singularity has an imaginary part of
+    -- asinh (A₀ / (a u₊)): 2 for light that escapes a fast hole, 0.9 at the bound.
+    width
+      | a2 * _latitudeReach l * _latitudeReach l < 0.1 * _latitudeBase2 l = pi
+      | otherwise = 0.5 * pi
     rate chi =
       let u = _latitudeReach l * sin chi
           speed = sqrt (_latitudeBase2 l + a2 * u * u)

@@ -317,5 +317,6 @@ alongRadius toPole rate radius state =
       Single {} | _radialStart radius < 0 -> negate
       _ -> id
     integrand v =
-      let s = sinh v
+      let e = exp v
+          s = 0.5 * (e - 1 / e)
        in rate (radiusAt shape (outward v)) / sqrt (1 + _radialComplement radius * s * s)
