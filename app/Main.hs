@@ -9,11 +9,11 @@ import System.IO (hSetEncoding, mkTextEncoding, stderr, stdout)
 
 main :: IO ()
 main = do
-  -- Without a locale, a message would end the program at the first letter
-  -- outside ASCII: one of its own, or one of an argument that it repeats.
+  -- Without a locale, the first character outside ASCII in a message (the program's
+  -- own, or part of an argument) would end the program.
   encoding <- mkTextEncoding "UTF-8//ROUNDTRIP"
   mapM_ (`hSetEncoding` encoding) [stdout, stderr]
   arguments <- getArgs
-  -- Films give back their claims, and a picture's part may be wanted.
+  -- Films must release their claims, and --keep-partial still writes a file.
   let atOnce = take 1 arguments == ["render"] && "--keep-partial" `notElem` arguments
   stoppable atOnce (run arguments) >>= leave
