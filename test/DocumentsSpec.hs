@@ -88,11 +88,11 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
         lookup "README.md" texts `shouldSatisfy` maybe False (elem file . links)
         lookup "docs/README.md" texts `shouldSatisfy` maybe False (elem (takeFileName file) . links)
     it "list every exit code" $ do
-      let codes = [code | line <- maybe [] lines (lookup "README.md" texts), Just rest <- [stripPrefix "| " line], Just code <- [readMaybe (takeWhile (/= ' ') rest)]]
+      let listed = [number | line <- maybe [] lines (lookup "README.md" texts), Just rest <- [stripPrefix "| " line], Just number <- [readMaybe (takeWhile (/= ' ') rest)]]
           code status = case exitCode status of
             ExitSuccess -> 0 :: Int
             ExitFailure n -> n
-      codes `shouldBe` map code [minBound .. maxBound]
+      listed `shouldBe` map code [minBound .. maxBound]
     it "name the modules that use CPP" $ do
       sources <- filter ((== ".hs") . takeExtension) . concat <$> mapM filesBelow ["app", "backend", "bench", "script", "src"]
       preprocessed <- filterM (fmap (isInfixOf "{-# LANGUAGE CPP") . readFile) sources
