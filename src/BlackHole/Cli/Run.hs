@@ -9,7 +9,7 @@ module BlackHole.Cli.Run
 where
 
 import BlackHole.Animation.Exposure
-import BlackHole.Animation.Film (filmScene)
+import BlackHole.Animation.Film (Film (filmScene, filmShutter), Shutter (shutterOpen))
 import BlackHole.Animation.FrameName (frameFile, frameNumber, parseFrameName)
 import BlackHole.Cli.Animate
 import BlackHole.Cli.Console hiding (tell)
@@ -178,19 +178,19 @@ render options
           not (null others) ->
           complain BadInput "--tile: a frame of a film with an open shutter is rendered as a whole"
         | Just part <- renderTile options -> case tileProblems part (scenePicture scene) of
-          [] -> ready scene (snd (shardRows part (pictureHeight (scenePicture scene)))) (\sky crew -> tileTo sky crew part scene)
+          [] -> ready (Making Tile False False) scene (snd (shardRows part (pictureHeight (scenePicture scene)))) (\sky crew -> tileTo sky crew part scene)
           problems -> complainAll UsageError problems
         | otherwise -> case outputFormat output of
           Just format -> case codingProblems format coding of
-            [] -> ready scene (pictureHeight (scenePicture scene)) (\sky crew -> renderTo sky crew format coding scenes')
+            [] -> ready (Making (WholePicture format) (not (null others)) (runKeepPartial how)) scene (pictureHeight (scenePicture scene)) (\sky crew -> renderTo sky crew format coding scenes')
             problems -> complainAll UsageError problems
           Nothing -> complainAll UsageError [unknownExtension]
   where
     output = renderOutput options
     withCrew = inCrew (renderThreads options)
-    ready scene rows action = do
+    ready making scene rows action = do
       clashes <- overwritten (sceneInputs (renderScene options) scene ++ [("--from", from) | Just from <- [renderFrom options]]) (("--output", output) : [("--stats", file) | Just file <- [runStats how]])
-      lacking <- memoryProblem scene rows
+      lacking <- memoryProblem making scene rows
       outputProblem <- outputFault output
       statsProblem <- maybe (pure (Right ())) checkWritable (runStats how)
       case (lacking, outputProblem, statsProblem) of
@@ -340,17 +340,19 @@ join options = case (formatOf output, joinCoding options) of
       joined <- openTiles (joinTiles options)
       case joined of
         Left problems -> BadInput <$ mapM_ (complain BadInput) problems
-        Right (scene, tiles) -> writing tiles . inCrew (joinThreads options) $ \crew ->
+        Right (scene, tiles) -> writing format scene tiles . inCrew (joinThreads options) $ \crew ->
           maybe (complain CannotWrite (noRoom output)) (storeBy output) $
             finishBands crew programName format coding (scene :| []) (readPictureRows tiles) (countsOf scene tiles)
   where
     output = joinOutput options
-    writing tiles action = do
+    writing format scene tiles action = do
+      lacking <- memoryProblem (Making (Joined format) False False) scene (pictureHeight (scenePicture scene))
       clashes <- overwritten [("a tile", tileFilePath tile) | tile <- tiles] [("--output", output)]
       outputProblem <- outputFault output
-      case (clashes, outputProblem) of
-        (_ : _, _) -> UsageError <$ mapM_ say clashes
-        (_, Just line) -> complain CannotWrite ("--output: " ++ line)
+      case (clashes, lacking, outputProblem) of
+        (_ : _, _, _) -> UsageError <$ mapM_ say clashes
+        (_, Just line, _) -> complain BadInput line
+        (_, _, Just line) -> complain CannotWrite ("--output: " ++ line)
         _ -> action
     countsOf scene tiles row = do
       counts <- readCountsRow tiles row
@@ -368,13 +370,18 @@ animate options = case (animateStatus options, formatOf (animateOutput options))
       case loaded of
         Left problems -> BadInput <$ mapM_ say problems
         Right Nothing -> complain BadInput "a film needs a scene file with a section animation (see docs/animation.md)"
-        Right (Just film) -> do
+        Right (Just found) -> do
+          let film = adjustFilm options found
           clashes <- filmClashes film
-          if null clashes then shootFilm format film else UsageError <$ mapM_ say clashes
+          lacking <- memoryProblem (Making (Frame format) (shutterOpen (filmShutter film) > 0) False) (filmScene film) (pictureHeight (scenePicture (filmScene film)))
+          case (clashes, lacking) of
+            (_ : _, _) -> UsageError <$ mapM_ say clashes
+            (_, Just line) -> complain BadInput line
+            _ -> shootFilm format film
   where
     shootFilm format film =
       underSky (filmScene film) $ \sky ->
-        endStatus <$> runFilm options say (skyFileImage <$> sky) (describe sky) (develop format) (adjustFilm options film)
+        endStatus <$> runFilm options say (skyFileImage <$> sky) (describe sky) (develop format) film
     -- Frames that exist are compared, the others cannot be a file that is read.
     filmClashes film = case parseFrameName (animateOutput options) of
       Left _ -> pure []
