@@ -36,26 +36,28 @@ fail() {
 
 # watched COMMAND…: run the command with its output in the log. Meanwhile say what
 # the log's last line says and how long it has been: on a terminal in one line that
-# changes each second, elsewhere in a new line every four seconds.
+# changes each second, elsewhere in a new line every four seconds. It goes to the
+# descriptor $progress, for a script may keep standard error of its commands.
+progress=2
 watched() {
   watch & watcher=$!
   "$@" >>"$log" 2>&1 && outcome=0 || outcome=$?
   kill "$watcher" 2>/dev/null || :
   # The shell may announce that the process was killed.
   wait "$watcher" 2>/dev/null || :
-  ! on_terminal || printf '\r\033[K' >&2
+  ! on_terminal || printf '\r\033[K' >&"$progress"
   return "$outcome"
 }
 
 on_terminal() {
-  [ -t 2 ] && [ "${TERM:-dumb}" != dumb ]
+  [ -t "$progress" ] && [ "${TERM:-dumb}" != dumb ]
 }
 
 # A process in the background is not reached by Ctrl-C, so this ends when the
 # script does. Only the script itself may hold the lock and, for a second longer,
 # a pipe.
 watch() {
-  exec 9>&-
+  exec 9>&- 2>&"$progress"
   start=$(date +%s) ticks=0
   while sleep 1 >/dev/null 2>&1 && kill -0 $$ 2>/dev/null; do
     ticks=$((ticks + 1))
