@@ -20,7 +20,8 @@ ghc=/usr/bin/ghc
 # What the program is built from; not every command needs it.
 # shellcheck disable=SC2034
 program_packages=$(sed -n -E 's/^ (ghc|libghc-[a-z0-9-]+)[ ,].*/\1/p' "$root/debian/control" | tr '\n' ' ')
-test_packages='libghc-hspec-dev libghc-quickcheck2-dev libghc-temporary-dev
+test_packages='hspec-discover libghc-hspec-core-dev libghc-hspec-dev
+  libghc-quickcheck2-dev libghc-temporary-dev
   libghc-zlib-dev'
 bench_packages='libghc-criterion-dev'
 
@@ -292,6 +293,10 @@ debian_build() {
   jobs=$(getconf _NPROCESSORS_ONLN)
   forget_old_objects "$root/$objects"
   products=$root/$objects/build
+  # hspec-discover lists the specs when test/Spec.hs is compiled, which GHC has to
+  # be made to do again after one came or went.
+  [ -z "$(find "$root/test" -type d -newer "$products/spec/spec-tmp/Spec.o" 2>/dev/null)" ] ||
+    rm -f "$products/spec/spec-tmp/Spec.o"
   # shellcheck disable=SC2086
   setup configure --builddir="$objects" --global --ipid=blackhole \
     --with-compiler="$ghc" --with-hc-pkg="$ghc-pkg" \

@@ -1,231 +1,47 @@
--- | Runs every specification; the tree below mirrors @src@.
+-- | Runs every specification and counts them in one closing line:
+-- @N passed, N failed@, and @, N skipped@ if any are pending.
 module Main (main) where
 
-import qualified BlackHole.Animation.CameraPathSpec
-import qualified BlackHole.Animation.ClaimSpec
-import qualified BlackHole.Animation.DigestSpec
-import qualified BlackHole.Animation.ExposureSpec
-import qualified BlackHole.Animation.FeedSpec
-import qualified BlackHole.Animation.FilmFileSpec
-import qualified BlackHole.Animation.FilmSpec
-import qualified BlackHole.Animation.FrameNameSpec
-import qualified BlackHole.Animation.InterpolateSpec
-import qualified BlackHole.Animation.ProgressSpec
-import qualified BlackHole.Animation.QueueSpec
-import qualified BlackHole.Animation.VideoSpec
-import qualified BlackHole.Cli.AnimateSpec
-import qualified BlackHole.Cli.BadInputSpec
-import qualified BlackHole.Cli.ExplainSpec
-import qualified BlackHole.Cli.HelpSpec
-import qualified BlackHole.Cli.JoinSpec
-import qualified BlackHole.Cli.JsonSpec
-import qualified BlackHole.Cli.OptionsSpec
-import qualified BlackHole.Cli.PhotonSpec
-import qualified BlackHole.Cli.PreviewSpec
-import qualified BlackHole.Cli.ProgressSpec
-import qualified BlackHole.Cli.RaysSpec
-import qualified BlackHole.Cli.RunSpec
-import qualified BlackHole.Cli.SchemaSpec
-import qualified BlackHole.Cli.SelfTestSpec
-import qualified BlackHole.Cli.SkyFileSpec
-import qualified BlackHole.Cli.SoakSpec
-import qualified BlackHole.Cli.StatsSpec
-import qualified BlackHole.Figure.FigureSpec
-import qualified BlackHole.Figure.RasterSpec
-import qualified BlackHole.Figure.RayFanSpec
-import qualified BlackHole.Figure.SvgSpec
-import qualified BlackHole.Image.AtomicFileSpec
-import qualified BlackHole.Image.DeflateSpec
-import qualified BlackHole.Image.FileSpec
-import qualified BlackHole.Image.GoldenSpec
-import qualified BlackHole.Image.JpegSegmentsSpec
-import qualified BlackHole.Image.MomentsSpec
-import qualified BlackHole.Image.PanoramaSpec
-import qualified BlackHole.Image.PlainTiffSpec
-import qualified BlackHole.Image.PngSpec
-import qualified BlackHole.Image.TileFileSpec
-import qualified BlackHole.Light.BlackBodySpec
-import qualified BlackHole.Light.BlackBodyTableSpec
-import qualified BlackHole.Light.CieSpec
-import qualified BlackHole.Light.DisplaySpec
-import qualified BlackHole.Light.DitherSpec
-import qualified BlackHole.Light.GamutSpec
-import qualified BlackHole.Light.RadianceSpec
-import qualified BlackHole.Light.ToneMapSpec
-import qualified BlackHole.Noise.LatticeSpec
-import qualified BlackHole.Noise.PerlinGSpec
-import qualified BlackHole.Noise.ProfileSpec
-import qualified BlackHole.Noise.RememberedSpec
-import qualified BlackHole.Noise.SheetsSpec
-import qualified BlackHole.Noise.SipHashSpec
-import qualified BlackHole.Noise.ThresholdSpec
-import qualified BlackHole.Numeric.ExponentialSpec
-import qualified BlackHole.Numeric.FloorSpec
-import qualified BlackHole.Physics.CourseSpec
-import qualified BlackHole.Physics.EllipticSpec
-import qualified BlackHole.Physics.ExactPathSpec
-import qualified BlackHole.Physics.FreeFallSpec
-import qualified BlackHole.Physics.GasMotionSpec
-import qualified BlackHole.Physics.LeapfrogSpec
-import qualified BlackHole.Physics.LensBeamSpec
-import qualified BlackHole.Physics.LensTableSpec
-import qualified BlackHole.Physics.ObserverSpec
-import qualified BlackHole.Physics.OrbitSpec
-import qualified BlackHole.Physics.PathReportSpec
-import qualified BlackHole.Physics.RedshiftSpec
-import qualified BlackHole.Physics.SweepSpec
-import qualified BlackHole.Physics.SweptPathSpec
-import qualified BlackHole.Physics.ThinDiskSpec
-import qualified BlackHole.Render.BloomSpec
-import qualified BlackHole.Render.FilmSpec
-import qualified BlackHole.Render.PanoramaFilmSpec
-import qualified BlackHole.Render.PixelArraySpec
-import qualified BlackHole.Render.PixelRowsSpec
-import qualified BlackHole.Render.PixelShapeSpec
-import qualified BlackHole.Render.ShardSpec
-import qualified BlackHole.Render.SharedSpec
-import qualified BlackHole.Render.StarFilmSpec
-import qualified BlackHole.Render.WorkersSpec
-import qualified BlackHole.Scene.CameraSpec
-import qualified BlackHole.Scene.File.SceneFileSpec
-import qualified BlackHole.Scene.ValidateSpec
-import qualified BlackHole.SelfTest.CheckSpec
-import qualified BlackHole.SelfTest.SuiteSpec
-import qualified BlackHole.SelfTest.TableSpec
-import qualified BlackHole.Trace.BeamSpec
-import qualified BlackHole.Trace.CensusSpec
-import qualified BlackHole.Trace.EstimateSpec
-import qualified BlackHole.Trace.ExplainSpec
-import qualified BlackHole.Trace.GasSpec
-import qualified BlackHole.Trace.GridSpec
-import qualified BlackHole.Trace.PixelGeometrySpec
-import qualified BlackHole.Trace.PixelSpec
-import qualified BlackHole.Trace.PlaneCrossingSpec
-import qualified BlackHole.Trace.SamplingSpec
-import qualified BlackHole.Trace.SkyImageSpec
-import qualified BlackHole.Trace.SkySpec
-import qualified BlackHole.Trace.StarCatalogueSpec
-import qualified BlackHole.Trace.StarFieldSpec
-import qualified BlackHole.Trace.TabulatedSpec
-import qualified BlackHole.Vector.XYSpec
-import qualified BlackHole.Vector.XYZSpec
-import qualified BlackHoleSpec
-import qualified DocumentsSpec
-import qualified ProgramSpec
-import qualified Support.DifferenceSpec
-import Test.Hspec
+import Control.Exception (SomeException, fromException, throwIO, try)
+import Control.Monad (when)
+import Data.IORef
+import qualified Spec
+import System.Exit (ExitCode (..), exitWith)
+import System.IO
+import Test.Hspec.Core.Runner (Summary (..), defaultConfig, hspecWithResult)
+import Test.Hspec.Core.Spec (Item (..), Result (..), ResultStatus (..), Spec, mapSpecItem_)
 
 main :: IO ()
-main = hspec $ do
-  describe "BlackHole.Animation.CameraPath" BlackHole.Animation.CameraPathSpec.spec
-  describe "BlackHole.Animation.Claim" BlackHole.Animation.ClaimSpec.spec
-  describe "BlackHole.Animation.Digest" BlackHole.Animation.DigestSpec.spec
-  describe "BlackHole.Animation.Exposure" BlackHole.Animation.ExposureSpec.spec
-  describe "BlackHole.Animation.Feed" BlackHole.Animation.FeedSpec.spec
-  describe "BlackHole.Animation.FilmFile" BlackHole.Animation.FilmFileSpec.spec
-  describe "BlackHole.Animation.Film" BlackHole.Animation.FilmSpec.spec
-  describe "BlackHole.Animation.FrameName" BlackHole.Animation.FrameNameSpec.spec
-  describe "BlackHole.Animation.Interpolate" BlackHole.Animation.InterpolateSpec.spec
-  describe "BlackHole.Animation.Progress" BlackHole.Animation.ProgressSpec.spec
-  describe "BlackHole.Animation.Queue" BlackHole.Animation.QueueSpec.spec
-  describe "BlackHole.Animation.Video" BlackHole.Animation.VideoSpec.spec
-  describe "BlackHole.Cli.Animate" BlackHole.Cli.AnimateSpec.spec
-  describe "BlackHole.Cli.BadInput" BlackHole.Cli.BadInputSpec.spec
-  describe "BlackHole.Cli.Explain" BlackHole.Cli.ExplainSpec.spec
-  describe "BlackHole.Cli.Help" BlackHole.Cli.HelpSpec.spec
-  describe "BlackHole.Cli.Join" BlackHole.Cli.JoinSpec.spec
-  describe "BlackHole.Cli.Json" BlackHole.Cli.JsonSpec.spec
-  describe "BlackHole.Cli.Options" BlackHole.Cli.OptionsSpec.spec
-  describe "BlackHole.Cli.Photon" BlackHole.Cli.PhotonSpec.spec
-  describe "BlackHole.Cli.Preview" BlackHole.Cli.PreviewSpec.spec
-  describe "BlackHole.Cli.Progress" BlackHole.Cli.ProgressSpec.spec
-  describe "BlackHole.Cli.Rays" BlackHole.Cli.RaysSpec.spec
-  describe "BlackHole.Cli.Run" BlackHole.Cli.RunSpec.spec
-  describe "BlackHole.Cli.Schema" BlackHole.Cli.SchemaSpec.spec
-  describe "BlackHole.Cli.SelfTest" BlackHole.Cli.SelfTestSpec.spec
-  describe "BlackHole.Cli.SkyFile" BlackHole.Cli.SkyFileSpec.spec
-  describe "BlackHole.Cli.Soak" BlackHole.Cli.SoakSpec.spec
-  describe "BlackHole.Cli.Stats" BlackHole.Cli.StatsSpec.spec
-  describe "BlackHole.Figure.Figure" BlackHole.Figure.FigureSpec.spec
-  describe "BlackHole.Figure.Raster" BlackHole.Figure.RasterSpec.spec
-  describe "BlackHole.Figure.RayFan" BlackHole.Figure.RayFanSpec.spec
-  describe "BlackHole.Figure.Svg" BlackHole.Figure.SvgSpec.spec
-  describe "BlackHole.Image.AtomicFile" BlackHole.Image.AtomicFileSpec.spec
-  describe "BlackHole.Image.Deflate" BlackHole.Image.DeflateSpec.spec
-  describe "BlackHole.Image.File" BlackHole.Image.FileSpec.spec
-  describe "BlackHole.Image.Golden" BlackHole.Image.GoldenSpec.spec
-  describe "BlackHole.Image.JpegSegments" BlackHole.Image.JpegSegmentsSpec.spec
-  describe "BlackHole.Image.Moments" BlackHole.Image.MomentsSpec.spec
-  describe "BlackHole.Image.Panorama" BlackHole.Image.PanoramaSpec.spec
-  describe "BlackHole.Image.PlainTiff" BlackHole.Image.PlainTiffSpec.spec
-  describe "BlackHole.Image.Png" BlackHole.Image.PngSpec.spec
-  describe "BlackHole.Image.TileFile" BlackHole.Image.TileFileSpec.spec
-  describe "BlackHole.Light.BlackBody" BlackHole.Light.BlackBodySpec.spec
-  describe "BlackHole.Light.BlackBodyTable" BlackHole.Light.BlackBodyTableSpec.spec
-  describe "BlackHole.Light.Cie" BlackHole.Light.CieSpec.spec
-  describe "BlackHole.Light.Display" BlackHole.Light.DisplaySpec.spec
-  describe "BlackHole.Light.Dither" BlackHole.Light.DitherSpec.spec
-  describe "BlackHole.Light.Gamut" BlackHole.Light.GamutSpec.spec
-  describe "BlackHole.Light.Radiance" BlackHole.Light.RadianceSpec.spec
-  describe "BlackHole.Light.ToneMap" BlackHole.Light.ToneMapSpec.spec
-  describe "BlackHole.Noise.Lattice" BlackHole.Noise.LatticeSpec.spec
-  describe "BlackHole.Noise.PerlinG" BlackHole.Noise.PerlinGSpec.spec
-  describe "BlackHole.Noise.Profile" BlackHole.Noise.ProfileSpec.spec
-  describe "BlackHole.Noise.Remembered" BlackHole.Noise.RememberedSpec.spec
-  describe "BlackHole.Noise.Sheets" BlackHole.Noise.SheetsSpec.spec
-  describe "BlackHole.Noise.SipHash" BlackHole.Noise.SipHashSpec.spec
-  describe "BlackHole.Noise.Threshold" BlackHole.Noise.ThresholdSpec.spec
-  describe "BlackHole.Numeric.Exponential" BlackHole.Numeric.ExponentialSpec.spec
-  describe "BlackHole.Numeric.Floor" BlackHole.Numeric.FloorSpec.spec
-  describe "BlackHole.Physics.Course" BlackHole.Physics.CourseSpec.spec
-  describe "BlackHole.Physics.Elliptic" BlackHole.Physics.EllipticSpec.spec
-  describe "BlackHole.Physics.ExactPath" BlackHole.Physics.ExactPathSpec.spec
-  describe "BlackHole.Physics.FreeFall" BlackHole.Physics.FreeFallSpec.spec
-  describe "BlackHole.Physics.GasMotion" BlackHole.Physics.GasMotionSpec.spec
-  describe "BlackHole.Physics.Leapfrog" BlackHole.Physics.LeapfrogSpec.spec
-  describe "BlackHole.Physics.LensBeam" BlackHole.Physics.LensBeamSpec.spec
-  describe "BlackHole.Physics.LensTable" BlackHole.Physics.LensTableSpec.spec
-  describe "BlackHole.Physics.Observer" BlackHole.Physics.ObserverSpec.spec
-  describe "BlackHole.Physics.Orbit" BlackHole.Physics.OrbitSpec.spec
-  describe "BlackHole.Physics.PathReport" BlackHole.Physics.PathReportSpec.spec
-  describe "BlackHole.Physics.Redshift" BlackHole.Physics.RedshiftSpec.spec
-  describe "BlackHole.Physics.Sweep" BlackHole.Physics.SweepSpec.spec
-  describe "BlackHole.Physics.SweptPath" BlackHole.Physics.SweptPathSpec.spec
-  describe "BlackHole.Physics.ThinDisk" BlackHole.Physics.ThinDiskSpec.spec
-  describe "BlackHole.Render.Bloom" BlackHole.Render.BloomSpec.spec
-  describe "BlackHole.Render.Film" BlackHole.Render.FilmSpec.spec
-  describe "BlackHole.Render.PanoramaFilm" BlackHole.Render.PanoramaFilmSpec.spec
-  describe "BlackHole.Render.PixelArray" BlackHole.Render.PixelArraySpec.spec
-  describe "BlackHole.Render.PixelRows" BlackHole.Render.PixelRowsSpec.spec
-  describe "BlackHole.Render.PixelShape" BlackHole.Render.PixelShapeSpec.spec
-  describe "BlackHole.Render.Shard" BlackHole.Render.ShardSpec.spec
-  describe "BlackHole.Render.Shared" BlackHole.Render.SharedSpec.spec
-  describe "BlackHole.Render.StarFilm" BlackHole.Render.StarFilmSpec.spec
-  describe "BlackHole.Render.Workers" BlackHole.Render.WorkersSpec.spec
-  describe "BlackHole.Scene.Camera" BlackHole.Scene.CameraSpec.spec
-  describe "BlackHole.Scene.File.SceneFile" BlackHole.Scene.File.SceneFileSpec.spec
-  describe "BlackHole.Scene.Validate" BlackHole.Scene.ValidateSpec.spec
-  describe "BlackHole.SelfTest.Check" BlackHole.SelfTest.CheckSpec.spec
-  describe "BlackHole.SelfTest.Suite" BlackHole.SelfTest.SuiteSpec.spec
-  describe "BlackHole.SelfTest.Table" BlackHole.SelfTest.TableSpec.spec
-  describe "BlackHole.Trace.Beam" BlackHole.Trace.BeamSpec.spec
-  describe "BlackHole.Trace.Census" BlackHole.Trace.CensusSpec.spec
-  describe "BlackHole.Trace.Estimate" BlackHole.Trace.EstimateSpec.spec
-  describe "BlackHole.Trace.Explain" BlackHole.Trace.ExplainSpec.spec
-  describe "BlackHole.Trace.Gas" BlackHole.Trace.GasSpec.spec
-  describe "BlackHole.Trace.Grid" BlackHole.Trace.GridSpec.spec
-  describe "BlackHole.Trace.PixelGeometry" BlackHole.Trace.PixelGeometrySpec.spec
-  describe "BlackHole.Trace.Pixel" BlackHole.Trace.PixelSpec.spec
-  describe "BlackHole.Trace.PlaneCrossing" BlackHole.Trace.PlaneCrossingSpec.spec
-  describe "BlackHole.Trace.Sampling" BlackHole.Trace.SamplingSpec.spec
-  describe "BlackHole.Trace.SkyImage" BlackHole.Trace.SkyImageSpec.spec
-  describe "BlackHole.Trace.Sky" BlackHole.Trace.SkySpec.spec
-  describe "BlackHole.Trace.StarCatalogue" BlackHole.Trace.StarCatalogueSpec.spec
-  describe "BlackHole.Trace.StarField" BlackHole.Trace.StarFieldSpec.spec
-  describe "BlackHole.Trace.Tabulated" BlackHole.Trace.TabulatedSpec.spec
-  describe "BlackHole.Vector.XY" BlackHole.Vector.XYSpec.spec
-  describe "BlackHole.Vector.XYZ" BlackHole.Vector.XYZSpec.spec
-  describe "BlackHole" BlackHoleSpec.spec
-  describe "Documents" DocumentsSpec.spec
-  describe "Program" ProgramSpec.spec
-  describe "Support.Difference" Support.DifferenceSpec.spec
+main = do
+  -- A pipe shows each line as it comes, like a terminal.
+  hSetBuffering stdout LineBuffering
+  pending <- newIORef 0
+  outcome <- try (hspecWithResult defaultConfig (countingPending pending Spec.spec))
+  case outcome of
+    Right (Summary examples failures) -> do
+      skipped <- readIORef pending
+      -- On a terminal hspec ends with control codes in a line of their own.
+      terminal <- hIsTerminalDevice stdout
+      when terminal (putStrLn "")
+      close (examples - failures - skipped) failures skipped
+      exitWith (if failures == 0 then ExitSuccess else ExitFailure 1)
+    Left problem
+      -- What --help ends with.
+      | fromException problem == Just ExitSuccess -> pure ()
+      | otherwise -> close 0 1 0 >> throwIO (problem :: SomeException)
+  where
+    close :: Int -> Int -> Int -> IO ()
+    close passed failed skipped =
+      putStrLn (show passed ++ " passed, " ++ show failed ++ " failed" ++ if skipped > 0 then ", " ++ show skipped ++ " skipped" else "")
+
+-- | hspec's summary does not tell pending examples from passed ones.
+countingPending :: IORef Int -> Spec -> Spec
+countingPending pending = mapSpecItem_ $ \item ->
+  item
+    { itemExample = \parameters hook progress -> do
+        result <- itemExample item parameters hook progress
+        case resultStatus result of
+          Pending _ _ -> atomicModifyIORef' pending (\n -> (n + 1, ()))
+          _ -> pure ()
+        pure result
+    }
