@@ -87,7 +87,7 @@ last_line() {
     { sub(/^blackhole: ([0-9]+ s: )?/, "") }
     /\[ *[0-9]+ of [0-9]+\] / { sub(/ \(.*/, "") }
     NF { last = $0 }
-    END { print last }'
+    END { print last ? last : "no output yet" }'
 }
 
 # On a bare machine no locale is set, and GHC's programs then stop at the first
