@@ -1,4 +1,4 @@
--- | From film to file at 1920 × 1080, on one core: bloom, development, files.
+-- | From film to file at 1920 × 1080 on one core: bloom, development and encoding.
 module FilmBench (benchmarks) where
 
 import BlackHole.Image.Coding
@@ -19,7 +19,7 @@ import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.Vector.Storable as Vector
 
--- | A film in its place in memory.
+-- | A film that is already in memory.
 newtype Ready = Ready Film
 
 instance NFData Ready where
@@ -47,7 +47,7 @@ benchmarks =
         fmap Lazy.length
           <$> encodeFile oneWorker format (Label "bench" (Coding (Just bits) Nothing) Bytes.empty) (Development (Exposure 0) ToneFilm BlueNoise) noLayers (filmOf ready)
 
--- | A third black, the rest soft with some texture, as renderings are.
+-- | A third black, the rest smooth with some texture, like a rendering.
 gradient :: IO Film
 gradient = case pixelShape width height 3 >>= \shape -> fromPixelVector shape (Vector.generate (3 * width * height) amount) of
   Just film -> pure film

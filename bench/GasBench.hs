@@ -1,4 +1,4 @@
--- | What a sample of the gas costs, and the noise in it.
+-- | The cost of a sample of the gas, and of the noise in it.
 module GasBench (benchmarks) where
 
 import BlackHole.Physics.LightPath

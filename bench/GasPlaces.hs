@@ -1,8 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | The places where the gas of a disk is looked at in a picture, and the noise
--- that is asked for there: with gradients remembered, and with every lattice
--- point hashed.
+-- | The positions at which a picture samples the gas of a disk, and the noise at these
+-- positions: with tabulated gradients, and with every lattice point hashed.
 module GasPlaces
   ( Places,
     placesOf,
@@ -31,14 +30,14 @@ import Data.Functor.Identity (Identity (..))
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as Vector
 
--- | Three numbers for each place.
+-- | Three coordinates per position.
 newtype Places = Places (Vector.Vector Double)
 
 instance NFData Places where
   rnf (Places numbers) = rnf numbers
 
--- | The first so many places of gas in a picture of 640 × 360 pixels, every
--- eleventh of which is looked at.
+-- | The first positions, up to this many, at which a picture of 640 × 360 pixels
+-- samples gas. Takes every eleventh pixel.
 placesOf :: Int -> Scene -> Places
 placesOf count scene = Places (Vector.fromList (concatMap components (take count found)))
   where
@@ -55,11 +54,11 @@ placesOf count scene = Places (Vector.fromList (concatMap components (take count
             stretch <- reverse (followedState (followSight traced point sight (\s t -> Onward (t : s)) []))
         ]
 
--- | How many places these are.
+-- | The number of positions.
 placeCount :: Places -> Int
 placeCount (Places numbers) = Vector.length numbers `quot` 3
 
--- | Two ways to the same noise.
+-- | Two ways to compute the same noise.
 data Field = Field
   { fieldName :: String,
     fieldRemembered :: XYZ -> Double,
@@ -87,13 +86,13 @@ fields disk =
     high = XYZ outer top outer
     armPlace place = (16 * diskArmNoiseFrequency disk) *^ place ^+^ XYZ 5.3 5.3 5.3
     turbulence = sheets seed 4 0.6
-    -- Something of the right kind and range; what exactly does not matter to
-    -- the cost.
+    -- Coordinates of the right kind and range; their exact values do not affect the
+    -- cost.
     onSheets noise (XYZ x y z) = noise (0.01 * x) (0.6 * z) y
     {-# INLINE onSheets #-}
 
--- | 'sheetsValue' of all octaves with the hash of each lattice point worked out
--- every time.
+-- | 'sheetsValue' of all octaves, with the hash of each lattice point computed every
+-- time.
 hashedSheets :: [Double] -> Double -> Double -> Double -> Double
 hashedSheets amplitudes turns v height = go 0 (iterate (+ 2.399963229728653) 0.7) amplitudes 0
   where
@@ -106,8 +105,8 @@ hashedSheets amplitudes turns v height = go 0 (iterate (+ 2.399963229728653) 0.7
         hash p = latticeHash2 (Seed 42) (latticePoint2 l ((pointX2 p - middleIndex l) `mod` (8 * 2 ^ i)) ((pointY2 p - middleIndex l) `mod` (32 * 2 ^ i)))
     go _ _ _ sum' = sum'
 
--- | The sum of a field over all places, and a number: another one makes it
--- another sum.
+-- | The sum of a field over all positions, starting from a number. A different number
+-- forces GHC to compute the sum again.
 total :: (XYZ -> Double) -> Places -> Double -> Double
 total noise (Places numbers) = go 0
   where
@@ -117,7 +116,7 @@ total noise (Places numbers) = go 0
       | i >= n = acc
       | otherwise = go (i + 3) (acc + noise (placeAt numbers i))
 
--- | Whether both ways have the same bits at every place.
+-- | Whether both ways give the same bits at every position.
 agreeing :: Field -> Places -> Bool
 agreeing field (Places numbers) =
   and [fieldRemembered field p == fieldHashed field p | i <- [0, 3 .. Vector.length numbers - 3], let p = placeAt numbers i]

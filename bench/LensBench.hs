@@ -1,4 +1,4 @@
--- | The table of a camera's light paths: making it, and one look into it.
+-- | The table of a camera's light paths: building it, and one lookup.
 module LensBench (benchmarks) where
 
 import BlackHole.Physics.LensTable
@@ -19,7 +19,7 @@ benchmarks =
   where
     table = lensTable 30
 
--- | By the angle from the outward radius, seen by somebody at rest at r = 30.
+-- | Photons by the angle from the outward radius, for an observer at rest at r = 30.
 photons :: [(String, (Double, Double))]
 photons = [(name, (cos psi, sin psi / sqrt (1 - 1 / 30))) | (name, psi) <- [("far", 2.4), ("winding", 3.056), ("falling", 3.1)]]
 

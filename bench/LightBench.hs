@@ -1,4 +1,4 @@
--- | The cost of a sample of the gas: its colour, its temperature and its shift.
+-- | The cost of colour, temperature and shift of a gas sample.
 module LightBench (benchmarks) where
 
 import BlackHole.Light.BlackBody

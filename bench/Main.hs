@@ -1,5 +1,5 @@
--- | All benchmarks, one file per topic; or, with @--table PROGRAM@, the table of
--- how fast and how exact the program is.
+-- | All benchmarks, one file per topic; with @--table PROGRAM@, the table of the
+-- program's speed and accuracy.
 module Main (main) where
 
 import Criterion.Main (defaultMain)

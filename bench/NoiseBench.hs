@@ -1,4 +1,4 @@
--- | What one value of noise costs.
+-- | The cost of one value of noise.
 module NoiseBench (benchmarks) where
 
 import BlackHole.Noise.Lattice (unitLevel)

@@ -1,10 +1,10 @@
--- | Closed-form light paths: what a ray pays once, and what it pays per point.
+-- | Closed-form light paths: the cost per ray, and the cost per point.
 module OrbitBench (benchmarks) where
 
 import BlackHole.Physics.Orbit
 import Criterion.Main
 
--- | Setting up an orbit, asking it for points, and the deflection of light.
+-- | Setting up an orbit, evaluating points on it, and the deflection of light.
 benchmarks :: Benchmark
 benchmarks =
   bgroup
@@ -24,7 +24,7 @@ benchmarks =
   where
     sumOf (u, w) = u + w
 
--- | Inward from a radius of 20, by impact parameter.
+-- | Photons moving inwards from a radius of 20, by impact parameter.
 photons :: [(String, Double)]
 photons =
   [ ("far, b = 10", 10),
@@ -36,7 +36,7 @@ photons =
 setUp :: Double -> Orbit
 setUp b = orbit 20 (-(sqrt (1 - b * b * 0.95 / 400))) (b / 20)
 
--- | A marching ray's worth of points.
+-- | About as many points as a marching ray evaluates.
 sixtyPoints :: Orbit -> Double -> Double
 sixtyPoints o step = go (60 :: Int) 0 0
   where

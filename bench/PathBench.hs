@@ -1,4 +1,4 @@
--- | Following light: a leapfrog step, and whole rays by both integrators.
+-- | Following light: a leapfrog step, and complete rays by both integrators.
 module PathBench (benchmarks) where
 
 import BlackHole.Physics.ExactPath
@@ -22,8 +22,8 @@ benchmarks =
   where
     impacts = [2.7, 5, 50] :: [Double]
 
--- | A photon of unit energy at r = 100 with this impact parameter, on its way
--- in, 20° out of the disk's plane.
+-- | A photon of unit energy at r = 100 with this impact parameter, moving inwards, 20°
+-- out of the disk's plane.
 aimedAt :: Double -> Photon
 aimedAt b = Photon (tilted (XYZ p 0 (sqrt (10000 - p * p)))) (tilted (XYZ 0 0 (negate speed)))
   where
@@ -36,7 +36,7 @@ leapfrogOf limit photon =
   followedFate $
     followLeapfrog defaultLeapfrog {leapfrogSteps = rule, leapfrogStepLimit = limit} Schwarzschild emptyRegion photon (\() _ -> Onward ()) ()
   where
-    -- A step limit asks for the cost of a step: then none may be skipped.
+    -- A low step limit measures the cost of a single step, so no step may be skipped.
     rule = if limit < 10000 then ReportSteps 1e-3 0.01 else reportStepRule
 
 exactOf :: Region -> Photon -> Double

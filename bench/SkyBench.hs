@@ -1,4 +1,4 @@
--- | The cost of the sky behind one sample, and of making it.
+-- | The cost of the sky behind one sample, and of preparing it.
 module SkyBench (benchmarks) where
 
 import BlackHole.Light.Radiance
@@ -35,7 +35,7 @@ benchmarks =
     behind image = sum . map (luminance . skyImageRadiance image)
     slender (Beam d a b) = Beam d (10 *^ a) b
 
--- | Beams of one width in radians all over the sky.
+-- | Beams of one width in radians, spread over the sky.
 beams :: Double -> [Beam]
 beams width = map beam [0 .. 999 :: Int]
   where

@@ -1,6 +1,5 @@
--- | The table of what the program does in what time and memory, how it scales,
--- and how exact its shortcuts are. The pictures are drawn by the program itself,
--- as its users run it.
+-- | The table of the program's time and memory, its scaling, and the accuracy of its
+-- approximations. The pictures are rendered by the program itself, as users run it.
 module Table (printTable) where
 
 import BlackHole.Scene.Preset
@@ -22,16 +21,16 @@ import TableError
 import Text.Printf (printf)
 import Text.Read (readMaybe)
 
--- | Draws a picture with more options and says what that took.
+-- | Renders a picture with additional options and measures it.
 data Drawing = Drawing
-  { -- | Seconds, with nobody looking on.
+  { -- | Seconds, without observing the process.
     drawingTime :: [String] -> Work -> IO Double,
-    -- | Greatest resident memory in megabytes; 'Nothing' where the system does
-    -- not say.
+    -- | Greatest resident memory in megabytes; 'Nothing' if the system does not report
+    -- it.
     drawingMemory :: [String] -> Work -> IO (Maybe Double)
   }
 
--- | A picture to draw.
+-- | A picture to render.
 data Work = Work
   { workName :: String,
     workOptions :: [String],
@@ -40,8 +39,8 @@ data Work = Work
     workTarget :: String
   }
 
--- | @printTable program huge@ prints everything to standard output, with a
--- picture of 7680 × 4320 if it is to be huge. Six minutes on two free cores.
+-- | @printTable program huge@ prints the whole table to standard output, including a
+-- picture of 7680 × 4320 if @huge@. Takes six minutes on two idle cores.
 printTable :: FilePath -> Bool -> IO ()
 printTable program huge = do
   hSetBuffering stdout LineBuffering
@@ -75,7 +74,7 @@ works =
     Work "default, 1920 × 1080, 4 samples" ["--noise", "0"] 1920 4 "9 s, 200 MB"
   ]
 
--- | What a picture costs more for a feature: the same picture without and with it.
+-- | The additional cost of features: options without and with each of them.
 prices :: [(String, [String], [String])]
 prices =
   [ ("refined until it is certain to 2 %", ["--noise", "0"], ["--noise", "0.02"]),
@@ -91,7 +90,7 @@ reportTable = Work "report, 1280 × 720, exact orbits (table)" ["--preset", "rep
 reportLeapfrog = Work "report, 1280 × 720, leapfrog" ["--preset", "report"] 1280 1 "0.105 Mray/s"
 lensing = Work "lensing alone, 1920 × 1080, grid sky" ["--no-disk", "--sky", "grid"] 1920 1 "8 Mray/s"
 
--- | Large enough that starting and the camera's table do not count.
+-- | Large enough that the program's start and the camera's table do not count.
 scalings :: [Work]
 scalings =
   [ reportTable {workName = "report, 2560 × 1440, exact orbits (table)", workWidth = 2560},
@@ -104,7 +103,7 @@ scalings =
 megarays :: Work -> Double
 megarays work = fromIntegral (workWidth work * (workWidth work * 9 `quot` 16) * workSamples work) / 1e6
 
--- | One row, from so many runs; their median is the result.
+-- | Prints one row with the median of this many runs, and returns the median.
 reportWork :: Drawing -> Int -> Work -> IO Double
 reportWork drawing count work = do
   seconds <- median <$> replicateM count (drawingTime drawing [] work)
@@ -115,7 +114,7 @@ reportWork drawing count work = do
 megabytes :: Maybe Double -> String
 megabytes = maybe "-" (printf "%.0f")
 
--- | In turns: what else the machine does comes to both.
+-- | Measured in turns, so that other load on the machine affects both alike.
 reportScaling :: Drawing -> Work -> IO ()
 reportScaling drawing work = do
   (ones, twos) <- inTurns 5 (drawingTime drawing ["--threads", "1"] work) (drawingTime drawing ["--threads", "2"] work)
@@ -128,7 +127,7 @@ reportPrice drawing (name, before, after) = do
   where
     work = Work name [] 960 4 ""
 
--- | The medians of two measurements that are taken so many times.
+-- | The medians of two measurements, each taken this many times in turns.
 inTurns :: Int -> IO Double -> IO Double -> IO (Double, Double)
 inTurns count one two = do
   pairs <- replicateM count ((,) <$> one <*> two)
@@ -141,7 +140,7 @@ reportSize drawing width = do
   memory <- drawingMemory drawing [] work
   printf "%-46s %8.2f %8.2f %6s\n" (workName work) seconds (seconds / megarays work) (megabytes memory)
 
--- | Against the closed form.
+-- | Prints the errors relative to the closed form.
 reportErrors :: IO ()
 reportErrors = do
   printf "%-46s %8s %8s %6s\n" "error of the table (targets: 1e-6, 1e-5)" "sky" "crossing" "fates"
@@ -152,7 +151,7 @@ reportErrors = do
   let TableError sky crossing fates = mconcat worst
   printf "%-46s %8.1e %8.1e %6d\n" "all" sky crossing fates
 
--- | Noise from tables against hashing every lattice point.
+-- | Prints the speed of noise from tables relative to hashing every lattice point.
 reportNoise :: String -> Scene -> IO ()
 reportNoise name scene = mapM_ (mapM_ one . fields) (sceneDisk scene)
   where
@@ -179,7 +178,7 @@ memoryToDraw :: FilePath -> FilePath -> [String] -> Work -> IO (Maybe Double)
 memoryToDraw program output more work =
   drawn output (watched program (arguments output more work))
 
--- | An action that has to leave a new file there.
+-- | Runs an action that must create the file.
 drawn :: FilePath -> IO a -> IO a
 drawn output act = do
   doesFileExist output >>= \there -> when there (removeFile output)
@@ -194,9 +193,9 @@ arguments output more work =
     ++ ["--width", show (workWidth work), "--samples", show (workSamples work), "-o", output]
     ++ more
 
--- | Run a program to its end; the greatest resident memory it had, in megabytes,
--- is looked up in @/proc@ some hundred times a second, which takes time that a
--- second worker would have.
+-- | Runs a program to its end and returns its greatest resident memory in megabytes.
+-- Reads @/proc@ about a hundred times a second, which takes time away from a second
+-- worker.
 watched :: FilePath -> [String] -> IO (Maybe Double)
 watched program options =
   withCreateProcess (proc program options) {std_out = CreatePipe, std_err = Inherit} $ \_ _ _ process -> do
@@ -209,7 +208,7 @@ watched program options =
             Just code -> ioError (userError (program ++ ": " ++ show code))
     follow Nothing
 
--- | The high-water mark of a running process.
+-- | The memory high-water mark of a running process.
 residentMegabytes :: Pid -> IO (Maybe Double)
 residentMegabytes pid = highest `catchIOError` const (pure Nothing)
   where
@@ -229,7 +228,7 @@ timed action = do
   end <- getMonotonicTime
   pure (end - start, result)
 
--- | The middle one, or the higher of the two; 0 of none.
+-- | The median; of two middle values the higher one; 0 for an empty list.
 median :: [Double] -> Double
 median values = case drop (length values `quot` 2) (sort values) of
   middle : _ -> middle

@@ -1,4 +1,4 @@
--- | How far the tabulated light paths are from the closed form.
+-- | The deviation of the tabulated light paths from the closed form.
 module TableError
   ( TableError (..),
     tableError,
@@ -12,12 +12,12 @@ import BlackHole.Physics.Sweep
 
 -- | The greatest errors found.
 data TableError = TableError
-  { -- | Of the direction of the sky, in radians.
+  { -- | Error of the direction to the sky, in radians.
     skyError :: !Double,
-    -- | Of the radius at a given angle, which is that of a crossing of the
-    -- disk's plane, in Schwarzschild radii, for radii up to 30.
+    -- | Error of the radius at a given angle, and thus of crossings of the disk's
+    -- plane, in Schwarzschild radii, for radii up to 30.
     crossingError :: !Double,
-    -- | Paths with another fate.
+    -- | Number of paths with a different fate.
     wrongFates :: !Int
   }
 
@@ -27,9 +27,9 @@ instance Semigroup TableError where
 instance Monoid TableError where
   mempty = TableError 0 0 0
 
--- | The errors of the paths from a radius in so many directions, evenly spread,
--- away from @|b − b_c| < 1e-4@ and, for the crossings, from b < 1e-3, where light
--- moves along the radius.
+-- | The errors of the paths from a radius in this many evenly spread directions. Leaves
+-- out @|b − b_c| < 1e-4@ and, for the crossings, b < 1e-3, where light moves along the
+-- radius.
 tableError :: Int -> Double -> TableError
 tableError count r = foldMap (errorOf . part) [0 .. count - 1]
   where

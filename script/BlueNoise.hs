@@ -1,6 +1,6 @@
--- | Makes the table of BlackHole.Light.Dither: blue noise by the void-and-cluster
--- method (Ulichney, "The void-and-cluster method for dither array generation",
--- 1993). Prints its lines; runs for a second or so when compiled with -O1.
+-- | Generates the table of BlackHole.Light.Dither: blue noise by the void-and-cluster
+-- method (Ulichney 1993, "The void-and-cluster method for dither array generation").
+-- Prints the table's lines; runs for about a second when compiled with -O1.
 module Main (main) where
 
 import Control.Monad (forM_, when)
@@ -19,15 +19,15 @@ side, cells :: Int
 side = 64
 cells = side * side
 
--- | The influence of a point on a place so many columns and rows away, on a
--- torus: a Gaussian of 1.9 pixels.
+-- | The influence of a point at this offset in columns and rows, on a torus: a Gaussian
+-- of 1.9 pixels.
 influence :: U.Vector Double
 influence = U.generate cells $ \i ->
   let (y, x) = i `quotRem` side
       square n = let d = fromIntegral (min n (side - n)) :: Double in d * d
    in exp (negate (square x + square y) / (2 * 1.9 * 1.9))
 
--- | For every cell, how many are set before it.
+-- | The rank of every cell: the number of cells set before it.
 ranks :: U.Vector Int
 ranks = runST $ do
   set <- MU.replicate cells False
@@ -37,12 +37,12 @@ ranks = runST $ do
   firstSet <- U.freeze set
   firstEnergy <- U.freeze energy
   order <- MU.replicate cells 0
-  -- Downwards: the point in the tightest cluster goes first.
+  -- Downwards: remove the point in the tightest cluster first.
   forM_ [count - 1, count - 2 .. 0] $ \rank -> do
     cell <- extreme True set energy
     put set energy False cell
     MU.write order cell rank
-  -- Upwards: the widest void is filled first.
+  -- Upwards: fill the widest void first.
   U.copy set firstSet
   U.copy energy firstEnergy
   forM_ [count .. cells - 1] $ \rank -> do
@@ -52,12 +52,12 @@ ranks = runST $ do
   U.unsafeFreeze order
   where
     count = cells `quot` 10
-    -- A tenth of the cells in an order without order.
+    -- A tenth of the cells, in pseudo-random order.
     scattered = take count (map snd (sortOn fst (zip (iterate next 20260101) [0 .. cells - 1])))
     next :: Word64 -> Word64
     next n = n * 6364136223846793005 + 1442695040888963407
 
--- | Move points from clusters to voids until that changes nothing.
+-- | Moves points from clusters to voids until nothing changes.
 settle :: MU.MVector s Bool -> MU.MVector s Double -> ST s ()
 settle set energy = do
   from <- extreme True set energy
@@ -66,7 +66,7 @@ settle set energy = do
   put set energy True to
   when (from /= to) $ settle set energy
 
--- | Set a cell or clear it, and its influence on all others.
+-- | Sets or clears a cell, and updates its influence on all others.
 put :: MU.MVector s Bool -> MU.MVector s Double -> Bool -> Int -> ST s ()
 put set energy on cell = do
   MU.write set cell on
@@ -76,8 +76,8 @@ put set energy on cell = do
         away = influence U.! (((y - cellY) `mod` side) * side + (x - cellX) `mod` side)
     MU.modify energy (if on then (+ away) else subtract away) i
 
--- | Of the set cells the one with the most energy, or of the others the one with
--- the least; the first of several.
+-- | The set cell with the most energy, or the clear cell with the least; the first if
+-- there are several.
 extreme :: Bool -> MU.MVector s Bool -> MU.MVector s Double -> ST s Int
 extreme among set energy = go 0 0 (-1 / 0)
   where

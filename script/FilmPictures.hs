@@ -1,4 +1,4 @@
--- | Draws the pictures of docs/film.md from the program's own modules.
+-- | Draws the pictures of docs/film.md with the program's own modules.
 module Main (main) where
 
 import BlackHole.Image.Coding
@@ -27,8 +27,7 @@ import System.Environment (getArgs)
 import System.Exit (die)
 import System.FilePath ((</>))
 
--- | A picture of codes: width, height, and the code of a column, a row and a
--- channel.
+-- | A picture: width, height, and the code as a function of column, row and channel.
 data Sheet = Sheet !Int !Int (Int -> Int -> Int -> Word8)
 
 main :: IO ()
@@ -61,7 +60,7 @@ sheetOf codes = Sheet width (shapeHeight shape) (\x y k -> Vector.unsafeIndex nu
     width = shapeWidth shape
     numbers = toPixelVector codes
 
--- | Film's curve on each primary by itself, as most programs have it.
+-- | The film curve applied to each primary separately, as most programs do.
 byChannel :: Radiance -> Radiance
 byChannel light = case toneCurve ToneFilm of
   Just (ToneCurve _ curve) -> mapRadiance curve light
@@ -73,39 +72,39 @@ channelByChannel film = lightSheet width (shapeHeight shape) (\x y -> byChannel 
     shape = pixelArrayShape film
     width = shapeWidth shape
 
--- | Display light, 0 to 1, as codes.
+-- | Converts display light, 0 to 1, to codes.
 lightSheet :: Int -> Int -> (Int -> Int -> Radiance) -> Sheet
 lightSheet width height light = Sheet width height code
   where
     code x y k = case light x y of
       Radiance r g b -> quantise (encodeSrgb (if k == 0 then r else if k == 1 then g else b))
 
--- | Black bodies of 1000 to 10000 K from left to right, from 3 stops below display
--- white at the bottom to 5 above.
+-- | Black bodies from 1000 K (left) to 10000 K (right), from 3 stops below display
+-- white (bottom) to 5 above (top).
 wedge :: (Radiance -> Radiance) -> Sheet
 wedge shown = lightSheet 720 180 $ \x y ->
   let temperature = 1000 * 10 ** (fromIntegral x / 720)
       stops = 5 - 8 * fromIntegral y / 180
    in shown (scaleRadiance (2 ** stops) (blackBodyColour temperature))
 
--- | Black bodies of 300 to 2000 K, each as bright as can be.
+-- | Black bodies from 300 to 2000 K, each as bright as possible.
 strip :: (Radiance -> Radiance) -> Sheet
 strip mapped = lightSheet 720 60 $ \x _ ->
   let light@(Radiance r g b) = mapped (unmappedColour (300 + 1700 * fromIntegral x / 720))
    in scaleRadiance (1 / max r (max g b)) light
 
--- | White mixed in until nothing is negative, green or not.
+-- | Mixes in white until no component is negative, whichever component that is.
 towardsWhite :: Radiance -> Radiance
 towardsWhite light@(Radiance r g b) = mapRadiance (\c -> max 0 (y + (c - y) * y / (y - least))) light
   where
     y = luminance light
     least = min 0 (min r (min g b))
 
--- | The lower right quarter at twice its size, codes six times as far apart.
+-- | The lower right quarter at twice its size, with codes six times as far apart.
 brightened :: Sheet -> Sheet
 brightened (Sheet width height code) = Sheet width height (\x y k -> let c = fromIntegral (code ((width + x) `quot` 2) ((height + y) `quot` 2) k) :: Int in fromIntegral (min 255 (6 * c)))
 
--- | Sheets side by side, so many in a row, with white lines between.
+-- | Sheets in rows of this many, separated by white lines.
 inRows :: Int -> [Sheet] -> Sheet
 inRows across sheets = Sheet (across * (width + gap) - gap) (down * (height + gap) - gap) code
   where

@@ -1,4 +1,4 @@
--- | The package's set-up program, for building with nothing but GHC: see
+-- | The package's Cabal set-up program, for building with nothing but GHC; see
 -- @lib.sh@.
 module Main (main) where
 

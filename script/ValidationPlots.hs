@@ -1,5 +1,5 @@
--- | Draws the plots of docs/validation.md as SVG files into a folder, from the
--- program's own numbers. The argument is the folder.
+-- | Draws the plots of docs/validation.md as SVG files with the program's own modules.
+-- The argument is the folder to write to.
 module Main (main) where
 
 import BlackHole.Physics.Bisection (bisect)
@@ -32,7 +32,7 @@ main = do
         ]
     _ -> die "usage: ValidationPlots FOLDER"
 
--- | How far light is turned, by its distance from capture.
+-- | The deflection of light against its distance from capture.
 deflectionPlot :: Plot
 deflectionPlot =
   Plot
@@ -51,7 +51,7 @@ deflectionPlot =
     b e = critical * (1 + e)
     strong e = negate (log e) + log (216 * (7 - 4 * sqrt 3)) - pi
 
--- | The error of the leapfrog's escaping direction, by its step.
+-- | The error of the leapfrog's direction of escape against its step.
 orderPlot :: Plot
 orderPlot =
   Plot
@@ -68,7 +68,7 @@ orderPlot =
           ]
     }
 
--- | The shadow that an observer at rest sees, by his distance.
+-- | The shadow seen by an observer at rest against the observer's distance.
 shadowPlot :: Plot
 shadowPlot =
   Plot
@@ -85,7 +85,7 @@ shadowPlot =
     places = [1.05, 1.2, 1.5, 2, 2.5, 3, 4, 6, 8, 10, 14, 20, 30, 50, 80]
     synge r = (if r < 1.5 then (180 -) else id) (180 / pi * asin (min 1 (critical * sqrt (1 - 1 / r) / r)))
 
--- | Degrees from the direction of the hole to the shadow's edge.
+-- | Degrees between the direction of the hole and the edge of the shadow.
 seenBy :: Observer -> Double -> Double
 seenBy observer r = 180 / pi * bisect dark 0 pi
   where
@@ -96,7 +96,8 @@ seenBy observer r = 180 / pi * bisect dark 0 pi
         _ -> True
     orbitOf photon@(Photon x v) = orbit r (XYZ.dot x v / r) (XYZ.norm (angularMomentum photon) / r)
 
--- | Of light from r = 30 with an impact parameter, against the closed form.
+-- | The error of the direction of light from r = 30 with this impact parameter,
+-- relative to the closed form.
 directionError :: Double -> Double -> Double
 directionError b l =
   case (followedFate (followLeapfrog settings Schwarzschild nowhere photon (\() _ -> Onward ()) ()), orbitFate (orbit 30 (XYZ.dot x v / 30) (b / 30))) of
@@ -130,7 +131,7 @@ data Plot = Plot
 -- | A label and a scale.
 data Axis = Axis String Scale
 
--- | The scale's marks, the first and the last of them at its ends.
+-- | The labels of a scale; the first and the last are at its ends.
 data Scale
   = -- | Powers of ten.
     Powers [Int]
@@ -139,12 +140,12 @@ data Scale
 decades :: Int -> Int -> Scale
 decades from to = Powers [from .. to]
 
--- | Colour, name in the legend (none if empty), and places.
+-- | Colour, name in the legend (none if empty), and points.
 data Series
   = Curve String String [(Double, Double)]
   | Points String String [(Double, Double)]
 
--- | Where a number lies on a scale, 0…1.
+-- | The position of a number on a scale, 0 to 1.
 position :: Scale -> Double -> Double
 position scale v = case scale of
   Powers marks -> between (map fromIntegral marks) (logBase 10 v)

@@ -1,18 +1,17 @@
 -- | Pictures of a black hole, from a scene to a file.
 --
--- A scene is a preset, or a scene file, with settings changed by the names that
--- scene files have for them; 'settingNames' lists them, and
--- @blackhole scene show default@ prints each with its meaning and unit. A film is
--- the linear light of a scene's pixels. A picture is a film developed and coded.
+-- A scene starts as a preset or a scene file. 'change' replaces settings by the names
+-- that scene files use for them; 'settingNames' lists these names, and @blackhole scene
+-- show default@ prints each setting with its meaning and unit. A film is the linear
+-- light of a scene's pixels. A picture is a developed and encoded film.
 --
--- This module is the library's front: what it exports keeps its meaning from one
--- minor version to the next. All other modules are exposed as well, for those who
--- want a part of the physics, and because the program and the tests are
--- components of their own that need them; they may change with any version.
+-- This module is the library's stable interface: its exports keep their meaning between
+-- minor versions. All other modules are exposed as well, for callers who want a part of
+-- the physics, and because the program and the tests are separate components that need
+-- them. They may change with any version.
 --
--- A program that renders should be linked with @-threaded@ and
--- @\"-with-rtsopts=-qg -A4m\"@: several collecting threads would wait for each other
--- in a spin.
+-- Link programs that render with @-threaded@ and @\"-with-rtsopts=-qg -A4m\"@: several
+-- threads that collect garbage would wait for each other in a spin lock.
 module BlackHole
   ( -- * Scenes
     Scene,
@@ -66,16 +65,16 @@ import Data.List.NonEmpty (NonEmpty (..))
 import Data.Version (showVersion)
 import qualified Paths_blackhole as Package
 
--- | Read a scene file, and the files it names. 'Left' holds a line for
--- everything that is wrong with it, at least one.
+-- | Reads a scene file, and the files it names. 'Left' holds one line per problem with
+-- the file, at least one.
 loadScene :: FilePath -> IO (Either [String] Scene)
 loadScene file = SceneOptions.loadScene (SceneOptions (Just file) Nothing [])
 
--- | A scene with other settings: pairs of a name and a value, written as in a
--- scene file, such as @(\"camera.inclination\", \"75\")@. The height follows the
--- width unless it is set as well; of two values for one name the last counts.
--- 'Left' holds a line for every name that does not exist, every value out of its
--- range, and every setting that the scene has no place for.
+-- | A scene with changed settings: pairs of a name and a value, written as in a scene
+-- file, such as @(\"camera.inclination\", \"75\")@. The height follows the width unless
+-- it is set as well. If a name occurs twice, the last value counts. 'Left' holds one
+-- line for every name that does not exist, every value out of range, and every setting
+-- without effect in this scene.
 change :: [(String, String)] -> Scene -> Either [String] Scene
 change pairs scene = case partitionEithers (map setting pairs) of
   ([], settings) -> case map renderProblem (validateScene changed) ++ [settingPath s ++ ": has no effect in this scene" | (s, _) <- idle] of
@@ -98,15 +97,15 @@ change pairs scene = case partitionEithers (map setting pairs) of
 settingNames :: [String]
 settingNames = map fieldPath sceneFields
 
--- | The whole scene as a scene file, with every setting's meaning.
+-- | The complete scene as a scene file that explains every setting.
 printScene :: Scene -> String
 printScene = SceneFile.printScene []
 
--- | Trace a scene's light with all processors, after reading the picture of its sky
--- if that is a file; the first argument hears how many
--- rows are done. The numbers are the same for any number of processors. 'Left'
--- holds what is wrong with the scene. From 0.1 µs for a ray through empty space to
--- some microseconds for one through the gas.
+-- | Traces a scene's light on all processors, after reading the image file of its sky
+-- if it has one. The first argument is called with the number of finished rows. The
+-- result does not depend on the number of processors. 'Left' holds one line per problem
+-- with the scene. A ray takes from 0.1 µs through empty space to several microseconds
+-- through the gas.
 renderFilm :: (Int -> IO ()) -> Scene -> IO (Either [String] Film)
 renderFilm progress scene = case map renderProblem (validateScene scene) of
   [] -> loadSky scene >>= either (pure . Left . pure) (crewed . under)
@@ -114,23 +113,23 @@ renderFilm progress scene = case map renderProblem (validateScene scene) of
   where
     under sky crew = maybe (Left ["this scene can't be traced"]) (Right . Film) <$> exposeCounted (skyFileImage <$> sky) crew progress scene (0, pictureHeight (scenePicture scene))
 
--- | Linear light of a scene's pixels, and how many samples each of them got.
+-- | The linear light of a scene's pixels, and the number of samples of each.
 newtype Film = Film Exposed
 
--- | A film's width and height in pixels.
+-- | The width and height of a film in pixels.
 filmSize :: Film -> (Int, Int)
 filmSize (Film exposed) = (shapeWidth shape, shapeHeight shape)
   where
     shape = pixelArrayShape (exposedLight exposed)
 
--- | @filmRadiance film column row@: the radiance of a pixel, from the top left
--- corner; 'Nothing' outside.
+-- | @filmRadiance film column row@ is the radiance of a pixel, counted from the top
+-- left corner; 'Nothing' outside the film.
 filmRadiance :: Film -> Int -> Int -> Maybe Radiance
 filmRadiance (Film exposed) = Film.filmRadiance (exposedLight exposed)
 
--- | Develop a scene's film as the scene says and write it in the format of the
--- file's extension. The file appears, or is replaced, only when it is complete; it
--- says of which scene it was made. 'Left' holds one line that says why not.
+-- | Develops a film as its scene prescribes, and writes it in the format of the file's
+-- extension. The file appears, or replaces an earlier one, only when it is complete. It
+-- stores the scene. 'Left' holds one line with the reason for a failure.
 writeFilm :: FilePath -> Scene -> Film -> IO (Either [String] ())
 writeFilm file scene (Film exposed) = inFormat file $ \format -> do
   bytes <- crewed (\crew -> finishFilm crew software format defaultCoding (scene :| []) exposed)
@@ -138,7 +137,7 @@ writeFilm file scene (Film exposed) = inFormat file $ \format -> do
     Nothing -> pure (Left [file ++ ": this format has no room for so large a picture"])
     Just content -> either (Left . pure . renderWriteProblem) Right <$> writeFileAtomically file content
 
--- | 'renderFilm' and 'writeFilm' in one: the same bytes as @blackhole render@ writes.
+-- | 'renderFilm' followed by 'writeFilm'. Writes the same bytes as @blackhole render@.
 renderToFile :: FilePath -> Scene -> IO (Either [String] ())
 renderToFile file scene = inFormat file . const $ do
   film <- renderFilm (const (pure ())) scene
@@ -149,7 +148,7 @@ inFormat file act = case formatOf file of
   Nothing -> pure (Left [file ++ ": not a file name that ends in " ++ intercalate ", " (map fst formatExtensions)])
   Just format -> act format
 
--- | Name and version, as they are written into the pictures.
+-- | Name and version of the program, as stored in its pictures.
 software :: String
 software = "blackhole " ++ showVersion Package.version
 

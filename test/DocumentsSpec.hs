@@ -36,9 +36,9 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
     length found `shouldSatisfy` (>= 40)
   forM_ documents $ \document ->
     it ("work in " ++ document) $ readFile document >>= allWork . commandLines
-  it "the README has every option of render in its table, and no other" $ do
-    readme <- readFile "README.md"
-    let table = takeWhile (not . isPrefixOf "Lengths") (dropWhile (not . isPrefixOf "| option") (lines readme))
+  it "docs/options.md has every option of render in its tables, and no other" $ do
+    text <- readFile "docs/options.md"
+    let table = takeWhile (/= "## `blackhole animate`") (dropWhile (/= "## `blackhole render`") (lines text))
         options = filter ("--" `isPrefixOf`) . words . map (\c -> if c `elem` "`,()" then ' ' else c)
         listed = concatMap (options . takeWhile (/= '|') . drop 1) (filter (isPrefixOf "| `") table)
     sort listed `shouldBe` sort (nub listed)

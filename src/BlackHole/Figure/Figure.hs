@@ -1,6 +1,6 @@
--- | A line drawing as data: what the SVG and the PNG writer both draw.
+-- | A line drawing as data, which the SVG and PNG writers draw.
 --
--- Lengths and places are in pixels from the top left corner, y downwards.
+-- Lengths and positions are in pixels from the top left corner, with y downwards.
 module BlackHole.Figure.Figure
   ( Figure (..),
     Shape (..),
@@ -19,8 +19,8 @@ import BlackHole.Vector.XY (XY (..))
 import qualified BlackHole.Vector.XY as XY
 import Data.Word (Word8)
 
--- | A drawing: its size, what it shows in a sentence, and its shapes from back
--- to front on white.
+-- | A drawing: its size, a sentence that describes it, and its shapes from back to
+-- front on white.
 data Figure = Figure
   { figureWidth :: !Int,
     figureHeight :: !Int,
@@ -29,23 +29,23 @@ data Figure = Figure
   }
   deriving (Eq, Show)
 
--- | One thing to draw.
+-- | An element of a drawing.
 data Shape
   = -- | A line through points.
     Polyline !Stroke ![XY]
-  | -- | A circle's outline: centre and radius.
+  | -- | The outline of a circle with this centre and radius.
     Ring !Stroke !XY !Double
   | -- | A filled circle.
     Disc !Colour !XY !Double
-  | -- | A filled polygon, convex.
+  | -- | A filled convex polygon.
     Polygon !Colour ![XY]
   | -- | Text.
     Words !Label
-  | -- | Shapes of which only the part within the box is drawn.
+  | -- | Shapes clipped to a box.
     Clipped !Box ![Shape]
   deriving (Eq, Show)
 
--- | Left, top, width and height.
+-- | Left, top, width and height of a rectangle.
 data Box = Box
   { boxLeft :: !Double,
     boxTop :: !Double,
@@ -54,7 +54,7 @@ data Box = Box
   }
   deriving (Eq, Show)
 
--- | How a line is drawn. Ends and corners are round.
+-- | The style of a line. Ends and corners are round.
 data Stroke = Stroke
   { strokeColour :: !Colour,
     strokeWidth :: !Double,
@@ -63,25 +63,25 @@ data Stroke = Stroke
   }
   deriving (Eq, Show)
 
--- | sRGB.
+-- | An sRGB colour.
 data Colour = Colour !Word8 !Word8 !Word8
   deriving (Eq, Show)
 
 -- | A line of text.
 data Label = Label
-  { -- | A point on the base line.
+  { -- | A point on the baseline.
     labelPlace :: !XY,
     labelAnchor :: !Anchor,
-    -- | Height of the font.
+    -- | Font size.
     labelSize :: !Double,
     labelColour :: !Colour,
-    -- | Whether a white rim keeps it legible on top of lines.
+    -- | Whether a white outline keeps the text legible on top of lines.
     labelRim :: !Bool,
     labelRuns :: ![Run]
   }
   deriving (Eq, Show)
 
--- | Which part of the text is at its place.
+-- | The part of the text that is at its position.
 data Anchor = AtStart | AtMiddle | AtEnd
   deriving (Eq, Show, Enum, Bounded)
 
@@ -92,8 +92,8 @@ data Run
     Subscript !String
   deriving (Eq, Show)
 
--- | A circle as a closed polygon whose sides are off by less than a fiftieth
--- of a pixel.
+-- | A circle as a closed polygon whose sides deviate from it by less than a fiftieth of
+-- a pixel.
 circleOutline :: XY -> Double -> [XY]
 circleOutline (XY x y) r =
   [ XY (x + r * cos a) (y + r * sin a)
@@ -103,8 +103,8 @@ circleOutline (XY x y) r =
   where
     n = max 24 (ceiling (16 * sqrt (max 0 r))) :: Int
 
--- | @dashes dash gap points@: a line cut into dashes, the first one at its
--- start. Lengths that are not positive leave it whole.
+-- | @dashes dash gap points@ cuts a line into dashes, starting with a dash. If a length
+-- is not positive, the line stays whole.
 dashes :: Double -> Double -> [XY] -> [[XY]]
 dashes dash gap points
   | not (dash > 0 && gap > 0) = [points]

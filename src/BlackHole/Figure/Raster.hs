@@ -1,7 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | Figures as pixels. A pixel's share of a line is taken from the distance
--- of its middle to the line, which draws lines as smooth as the screen allows.
+-- | Rasterisation of figures. The coverage of a pixel by a line follows from the
+-- distance between the pixel's middle and the line, which antialiases the line.
 module BlackHole.Figure.Raster
   ( rasterise,
   )
@@ -17,8 +17,8 @@ import qualified Data.Vector.Storable as Storable
 import qualified Data.Vector.Unboxed.Mutable as Unboxed
 import GHC.Float (double2Float)
 
--- | The figure on white. Takes time in proportion to the area of its shapes,
--- each line counting with the boxes around its segments, and 16 bytes a pixel.
+-- | The figure on white. The time is proportional to the area of its shapes, where a
+-- line counts with the bounding boxes of its segments. Takes 16 bytes per pixel.
 rasterise :: Figure -> Image PixelRGB8
 rasterise figure = Image width height pixels
   where
@@ -30,8 +30,8 @@ rasterise figure = Image width height pixels
       mapM_ (draw canvas everything) (figureShapes figure)
       Storable.unsafeThaw =<< Storable.generateM (3 * width * height) (fmap (round . min 255 . max 0) . Unboxed.read (canvasColours canvas))
 
--- | Coded colour values, and how much of each pixel the shape being drawn
--- covers: zero between shapes.
+-- | Encoded colour values, and the coverage of each pixel by the shape being drawn,
+-- which is zero between shapes.
 data Canvas s = Canvas
   { canvasWidth :: !Int,
     canvasHeight :: !Int,
@@ -69,7 +69,8 @@ drawText canvas clip (Label place anchor size colour rim runs) = do
       AtMiddle -> -0.5 * textWidth size runs
       AtEnd -> negate (textWidth size runs)
 
--- | Lines that are one shape: where they meet or cross nothing is drawn twice.
+-- | Draws lines as one shape, so that pixels where they meet or cross are painted only
+-- once.
 strokeLines :: Canvas s -> Box -> Colour -> Double -> [[XY]] -> ST s ()
 strokeLines canvas clip colour width pieces = do
   forM_ segments $ \(a, b) -> cover canvas (ranges canvas clip (reach a b)) (distanceCover a b)
@@ -82,7 +83,7 @@ strokeLines canvas clip colour width pieces = do
       _ -> zip points (drop 1 points)
     reach (XY x y) (XY x' y') =
       Box (min x x' - half - 1) (min y y' - half - 1) (abs (x - x') + width + 2) (abs (y - y') + width + 2)
-    -- Lines thinner than a pixel get paler, not narrower.
+    -- Lines thinner than a pixel become paler instead of narrower.
     strength = min 1 width
     distanceCover (XY x y) (XY x' y') =
       let !dx = x' - x
@@ -94,8 +95,8 @@ strokeLines canvas clip colour width pieces = do
                 ey = py - y - along * dy
              in strength * (max 0.5 half + 0.5 - sqrt (ex * ex + ey * ey))
 
--- | A convex polygon, whichever way round: inside, the distance to the nearest
--- side.
+-- | Fills a convex polygon of either orientation. Inside, the depth is the distance to
+-- the nearest side.
 polygon :: Canvas s -> Box -> Colour -> [XY] -> ST s ()
 polygon canvas clip colour points
   | area == 0 = pure ()
@@ -113,7 +114,7 @@ polygon canvas clip colour points
             len > 0
         ]
 
--- | Fill where a depth below the shape's edge, in pixels, is positive.
+-- | Fills the pixels whose depth below the shape's edge, in pixels, is positive.
 fill :: Canvas s -> Box -> Colour -> Box -> (Double -> Double -> Double) -> ST s ()
 fill canvas clip colour box@(Box l t w h) depth = do
   cover canvas (ranges canvas clip (Box (l - 1) (t - 1) (w + 2) (h + 2))) (\px py -> depth px py + 0.5)
@@ -128,7 +129,7 @@ boundsOf points = Box left top (right - left) (bottom - top)
 -- | First and last column, first and last row.
 data Range = Range !Int !Int !Int !Int
 
--- | The pixels of a box within the clip.
+-- | The pixels of a box that are inside the clipping box.
 ranges :: Canvas s -> Box -> Box -> Range
 ranges canvas clip box =
   Range (from l) (min (canvasWidth canvas) (to (l + w)) - 1) (from t) (min (canvasHeight canvas) (to (t + h)) - 1)
@@ -138,7 +139,7 @@ ranges canvas clip box =
     to = ceiling . bounded
     bounded = max (-1e6) . min 1e6
 
--- | Raise the cover of pixels in a range to what a function says of their
+-- | Raises the coverage of the pixels in a range to the function's value at their
 -- middles.
 cover :: Canvas s -> Range -> (Double -> Double -> Double) -> ST s ()
 cover canvas (Range x0 x1 y0 y1) share =
@@ -147,7 +148,8 @@ cover canvas (Range x0 x1 y0 y1) share =
         at = y * canvasWidth canvas + x
     when (part > 0) $ Unboxed.modify (canvasCover canvas) (max part) at
 
--- | Lay the colour on what is covered around some points, and clear the cover.
+-- | Blends the colour into the pixels covered around some points, and clears the
+-- coverage.
 blend :: Canvas s -> Box -> Colour -> [XY] -> Double -> ST s ()
 blend canvas clip (Colour r g b) points margin
   | null points = pure ()

@@ -1,4 +1,4 @@
--- | The figure of parallel light rays on their way around the hole.
+-- | The figure of parallel light rays that pass the hole.
 module BlackHole.Figure.RayFan
   ( RayFan (..),
     defaultRayFan,
@@ -20,30 +20,29 @@ import qualified BlackHole.Vector.XY as XY
 import BlackHole.Vector.XYZ (XYZ (..))
 import Numeric (showFFloat)
 
--- | What the figure shows.
+-- | The parameters of the figure.
 data RayFan = RayFan
-  { -- | How many rays.
+  { -- | Number of rays.
     fanRays :: !Int,
-    -- | Half of the figure's width in Schwarzschild radii, at least 4: the
-    -- critical impact parameter has to fit into three quarters of it.
+    -- | Half the figure's width in Schwarzschild radii, at least 4: the critical impact
+    -- parameter must fit into three quarters of it.
     fanExtent :: !Double,
     -- | Width of the whole figure in pixels.
     fanWidth :: !Int
   }
   deriving (Eq, Show)
 
--- | 31 rays, eight radii to either side, 1200 pixels.
+-- | 31 rays, eight Schwarzschild radii to either side, and 1200 pixels.
 defaultRayFan :: RayFan
 defaultRayFan = RayFan 31 8 1200
 
--- | Height of the plotted rectangle over its width.
+-- | The ratio of height to width of the plotted rectangle.
 aspect :: Double
 aspect = 0.75
 
--- | The signed impact parameters of the rays, from the lowest up. From eight
--- rays on, four of them pass within a thousandth of the critical one, on both
--- sides of it and of the hole; the others are evenly spaced over the figure's
--- height.
+-- | The signed impact parameters of the rays in ascending order. From eight rays on,
+-- four of them lie within a thousandth of the critical impact parameter, on both sides
+-- of it and of the hole. The others are evenly spaced over the figure's height.
 fanImpactParameters :: RayFan -> [Double]
 fanImpactParameters (RayFan count extent _)
   | count < 8 = spread count
@@ -59,17 +58,17 @@ fanImpactParameters (RayFan count extent _)
       | otherwise = b : merge (a : as) bs
     merge as bs = as ++ bs
 
--- | The colours of rays.
+-- | The classes of rays, which determine their colours.
 data RayClass
-  = -- | It leaves again.
+  = -- | The ray leaves again.
     Escaping
-  | -- | It falls in.
+  | -- | The ray falls in.
     Falling
-  | -- | It goes around the hole at least once, whatever its end.
+  | -- | The ray goes around the hole at least once, whatever its end.
     Winding
   deriving (Eq, Show, Enum, Bounded)
 
--- | Which one a ray from infinity with this impact parameter (at least 0) is.
+-- | The class of a ray from infinity with this impact parameter, at least 0.
 classifyRay :: Double -> RayClass
 classifyRay = classOf . courseFromInfinity fanSight
 
@@ -79,13 +78,13 @@ classOf course = case courseFate course of
   Captured angle | angle < 2 * pi -> Falling
   _ -> Winding
 
--- | The rays lie in the plane of this line of sight. It comes from +y, which
--- the figure turns to its left edge.
+-- | The line of sight whose plane contains the rays. It comes from +y, which the figure
+-- turns to its left edge.
 fanSight :: Sight
 fanSight = Sight (Radians 0) (Radians 0)
 
--- | The figure: rays from the left edge, the hole, the photon sphere, the
--- critical impact parameter, axes in Schwarzschild radii, and a legend.
+-- | The figure: rays from the left edge, the hole, the photon sphere, the critical
+-- impact parameter, axes in Schwarzschild radii, and a legend.
 rayFanFigure :: RayFan -> Figure
 rayFanFigure fan@(RayFan _ extent width) =
   Figure
@@ -112,7 +111,7 @@ rayFanFigure fan@(RayFan _ extent width) =
     at x y = XY (left + 0.5 * plotWidth + unit * x) (top + 0.5 * plotHeight - unit * y)
     hairline = max 0.8 (w / 1200)
 
-    -- Winding rays on top: they share their way with others.
+    -- Winding rays are on top, because they share their paths with others.
     drawingOrder =
       [ (kind, course, b < 0)
         | kind <- [Escaping, Falling, Winding],
@@ -126,7 +125,7 @@ rayFanFigure fan@(RayFan _ extent width) =
         points -> Polyline (Stroke (classColour kind) (1.9 * hairline) Nothing) points : arrowOn (classColour kind) points
     spot mirrored (CoursePoint _ (Photon (XYZ x y _) _)) = at (negate y) (if mirrored then negate x else x)
 
-    -- Where a ray first passes a line left of the hole, pointing onward.
+    -- Where a ray first crosses a line to the left of the hole, pointing along the ray.
     arrowOn colour points =
       take
         1
@@ -193,8 +192,8 @@ rayFanFigure fan@(RayFan _ extent width) =
         (sampleDisc, "horizon, r = 1"),
         (sampleLine ink (Just (4 * hairline, 5 * hairline)), "photon sphere, r = 1.5")
       ]
-    -- Room for the entries before, in sizes of the legend's font: enough for
-    -- the widest of the usual sans-serif fonts.
+    -- Space for the preceding entries in units of the legend's font size, sufficient
+    -- for the widest common sans-serif fonts.
     legendStart n = left + legendFont * sum (take n [7.8, 8.6, 15.4, 11 :: Double])
     legendFont = 0.86 * font
     entry n (sample, s) =
@@ -205,8 +204,8 @@ rayFanFigure fan@(RayFan _ extent width) =
       [Polyline (Stroke colour (2.2 * hairline) gaps) [XY x y, XY (x + 1.7 * legendFont) y]]
     sampleDisc x y = [Disc ink (XY (x + 1.2 * legendFont) y) (0.5 * legendFont)]
 
--- | Distance of the axes' numbers: 1, 2 or 5 times a power of ten that gives
--- at most eight of them to each side.
+-- | The distance between the axes' labels: 1, 2 or 5 times a power of ten, chosen to
+-- give at most eight labels on each side.
 tickSpacing :: Double -> Double
 tickSpacing extent = firstOf [s | e <- [-1 .. 6 :: Int], m <- [1, 2, 5], let s = m * 10 ^^ e, extent / s <= 8.01]
   where
@@ -217,7 +216,7 @@ tickSpacing extent = firstOf [s | e <- [-1 .. 6 :: Int], m <- [1, 2, 5], let s =
 decimals :: Int -> Double -> String
 decimals n v = showFFloat (Just n) v ""
 
--- | Colours that stay apart for the colour-blind (after Okabe and Ito).
+-- | Colours that colour-blind readers can tell apart (after Okabe and Ito 2008).
 classColour :: RayClass -> Colour
 classColour kind = case kind of
   Escaping -> Colour 0 114 178

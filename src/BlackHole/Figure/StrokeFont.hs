@@ -1,6 +1,7 @@
--- | A small font of lines, for pictures that have no text engine. It has the
--- characters that figures use: lower-case Latin letters, digits, and some
--- signs. Any other character becomes a blank.
+-- | A small stroke font for raster figures.
+--
+-- It contains the characters that figures use: lower-case Latin letters, digits and
+-- some signs. Any other character becomes a blank.
 module BlackHole.Figure.StrokeFont
   ( textLines,
     textWidth,
@@ -12,17 +13,16 @@ import BlackHole.Figure.Figure (Run (..))
 import BlackHole.Vector.XY (XY (..))
 import Data.Maybe (fromMaybe)
 
--- | @textLines size runs@: the lines of a text whose base line starts at the
--- origin, y downwards. The height of lower-case letters is about half the
--- size.
+-- | @textLines size runs@ returns the strokes of a text whose baseline starts at the
+-- origin, with y downwards. Lower-case letters are about half as high as the size.
 textLines :: Double -> [Run] -> [[XY]]
 textLines size = snd . layOut size
 
--- | The width of that text.
+-- | The width of that text, in the unit of the size.
 textWidth :: Double -> [Run] -> Double
 textWidth size = fst . layOut size
 
--- | Whether the font can draw the character.
+-- | Whether the font contains the character.
 hasGlyph :: Char -> Bool
 hasGlyph c = case glyph c of
   Just _ -> True
@@ -44,14 +44,14 @@ layOut size = go 0
           (end, others) = characters unit down (x + unit * (width + 1.3)) rest
        in (end, [[XY (x + unit * px) (down - unit * py) | XY px py <- stroke] | stroke <- strokes] ++ others)
 
--- | Width without the space to the next one, and lines, y upwards, in tenths
--- of the size.
+-- | The width without the space to the next glyph, and the strokes, with y upwards, in
+-- tenths of the size.
 data Glyph = Glyph !Double ![[XY]]
 
 line :: [(Double, Double)] -> [XY]
 line = map (uncurry XY)
 
--- | An elliptic arc: centre, half axes, and angles in degrees.
+-- | An elliptic arc: centre, semi-axes, and start and end angle in degrees.
 arc :: Double -> Double -> Double -> Double -> Double -> Double -> [XY]
 arc x y rx ry from to =
   [ XY (x + rx * cos a) (y + ry * sin a)

@@ -1,4 +1,4 @@
--- | Figures as SVG 1.1.
+-- | SVG 1.1 output for figures.
 module BlackHole.Figure.Svg
   ( renderSvg,
   )
@@ -13,7 +13,7 @@ import Data.List (intercalate)
 import Data.Word (Word8)
 import Numeric (showFFloat)
 
--- | The figure as a document in UTF-8. Linear in its number of points.
+-- | The figure as an SVG document in UTF-8, in time linear in its number of points.
 renderSvg :: Figure -> Lazy.ByteString
 renderSvg figure =
   Builder.toLazyByteString . Builder.stringUtf8 . unlines $
@@ -37,7 +37,8 @@ renderSvg figure =
     width = figureWidth figure
     height = figureHeight figure
 
--- | Lines for shapes; the name keeps the clipping paths of nested groups apart.
+-- | The lines of the document for some shapes. The name keeps the clipping paths of
+-- nested groups apart.
 shapes :: String -> [Shape] -> [String]
 shapes name = concat . zipWith (\n -> shape (name ++ show n)) [1 :: Int ..]
 
@@ -67,8 +68,8 @@ strokeOf (Stroke colour width gaps) =
   [("stroke", code colour), ("stroke-width", decimal width)]
     ++ [("stroke-dasharray", decimal dash ++ " " ++ decimal gap) | Just (dash, gap) <- [gaps]]
 
--- | A rim is the same text in wide white lines below: older viewers don't
--- know the property that would draw it at once.
+-- | A label. Its white outline is a copy of the text below it in wide white strokes,
+-- because older viewers do not support the property that would draw both at once.
 text :: Label -> [String]
 text (Label (XY x y) anchor size colour rim runs) =
   [ element "text" (place ++ [("fill", "#ffffff"), ("stroke", "#ffffff"), ("stroke-width", decimal (0.3 * size))]) content
@@ -84,7 +85,7 @@ text (Label (XY x y) anchor size colour rim runs) =
         ("text-anchor", case anchor of AtStart -> "start"; AtMiddle -> "middle"; AtEnd -> "end")
       ]
     content = go 0 runs
-    -- A shift holds for what follows too, until it is taken back.
+    -- A shift applies to the following text too, until it is undone.
     go :: Double -> [Run] -> String
     go _ [] = ""
     go lowered (run : rest) = case run of
@@ -114,7 +115,7 @@ escape = concatMap $ \c -> case c of
   '"' -> "&quot;"
   _ -> [c]
 
--- | A hundredth of a pixel is finer than anybody sees.
+-- | Formats a number to a hundredth of a pixel, which is finer than the eye can see.
 decimal :: Double -> String
 decimal v
   | isNaN v || isInfinite v = "0"

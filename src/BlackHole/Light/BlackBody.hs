@@ -1,11 +1,10 @@
--- | Black bodies as the eye sees them: Planck's spectrum through the CIE 1931
--- 2° observer. These are the exact functions, at about 3 µs each;
--- "BlackHole.Light.BlackBodyTable" has the ones for rendering.
+-- | Black bodies as the eye sees them: Planck's spectrum through the CIE 1931 2°
+-- observer. These are the exact functions, at about 3 µs each; the renderer uses the
+-- tables of "BlackHole.Light.BlackBodyTable".
 --
--- Temperatures are in kelvin. Light of a black body at T that arrives with
--- ν_obs/ν_em = g is the light of a black body at g T, because I_ν/ν³ is the
--- same for every observer: put g T wherever a temperature is asked for and
--- no further power of g is due.
+-- Temperatures are in kelvin. Light of a black body at T that arrives with ν_obs/ν_em =
+-- g is light of a black body at g T, because I_ν/ν³ is the same for every observer.
+-- Pass g T wherever a function takes a temperature; no further power of g is needed.
 module BlackHole.Light.BlackBody
   ( secondRadiationConstant,
     spectralRadiance,
@@ -25,15 +24,14 @@ import BlackHole.Light.Gamut (desaturateIntoGamut)
 import BlackHole.Light.Radiance
 import Numeric (expm1)
 
--- | hc/k = 1.438776877…e-2 m K, in nanometre kelvin. Exact since the SI of
--- 2019; older colour tables use 1.4388e-2 or, for illuminant A, 1.435e-2.
+-- | hc/k = 1.438776877…e-2 m K, in nanometre kelvin. Exact since the SI of 2019; older
+-- colour tables use 1.4388e-2 or, for illuminant A, 1.435e-2.
 secondRadiationConstant :: Double
 secondRadiationConstant =
   1e9 * planckConstant * lightSpeed / boltzmannConstant
 
--- | Planck's law: @spectralRadiance wavelength temperature@ in
--- W sr⁻¹ m⁻² nm⁻¹, the wavelength in nanometres. 0 for no positive
--- temperature.
+-- | Planck's law: @spectralRadiance wavelength temperature@ in W sr⁻¹ m⁻² nm⁻¹, with
+-- the wavelength in nanometres. 0 if the temperature is not positive.
 spectralRadiance :: Double -> Double -> Double
 spectralRadiance wavelength temperature
   | temperature > 0 =
@@ -44,37 +42,36 @@ spectralRadiance wavelength temperature
     metres = 1e-9 * wavelength
     z = secondRadiationConstant / (wavelength * temperature)
 
--- | Tristimulus values scaled to Y = 1, for every temperature: below 1 K (and
--- for what is no temperature: zero, negative, NaN) the limit T → 0, the deep
--- red of the longest wavelength; above 1e20 K the limit T → ∞, the bluish
--- white of λ⁻⁴ at (0.2399, 0.2340).
+-- | Tristimulus values scaled to Y = 1, for every temperature. Below 1 K, and for zero,
+-- negative values and NaN, the limit T → 0: the deep red of the longest wavelength.
+-- Above 1e20 K the limit T → ∞: the bluish white of λ⁻⁴ at (0.2399, 0.2340).
 blackBodyXyz :: Double -> Xyz
 blackBodyXyz temperature = Xyz (x / y) 1 (z / y)
   where
     Xyz x y z = reducedXyz (clampTemperature temperature)
 
--- | The chromaticity (x, y) on the Planckian locus; any argument, with the
--- limits of 'blackBodyXyz'.
+-- | The chromaticity (x, y) on the Planckian locus, for any argument, with the limits
+-- of 'blackBodyXyz'.
 blackBodyChromaticity :: Double -> (Double, Double)
 blackBodyChromaticity temperature = (x / total, y / total)
   where
     Xyz x y z = blackBodyXyz temperature
     total = x + y + z
 
--- | The colour at luminance 1 in linear Rec. 709 as the matrix gives it, with
--- negative blue below 1900 K.
+-- | The colour at luminance 1 in linear Rec. 709, straight from the matrix: blue is
+-- negative below 1900 K.
 unmappedColour :: Double -> Radiance
 unmappedColour = radianceOfXyz . blackBodyXyz
 
--- | The colour at luminance 1 in linear Rec. 709, without negative amounts:
--- below 1900 K, where the locus leaves the triangle of the primaries, it is
--- brought into it at constant luminance and hue; below 890 K, where it is redder
--- than any display, it becomes the display's red ('desaturateIntoGamut').
+-- | The colour at luminance 1 in linear Rec. 709, without negative components. Below
+-- 1900 K, where the locus leaves the triangle of the primaries, the colour is mapped
+-- into it at constant luminance and hue. Below 890 K, where it is redder than any
+-- display, it becomes the display's red ('desaturateIntoGamut').
 blackBodyColour :: Double -> Radiance
 blackBodyColour = desaturateIntoGamut . unmappedColour
 
--- | Natural logarithm of 'blackBodyLuminance', which itself underflows below
--- some 24 K. Any positive temperature; at others it is minus infinity.
+-- | The natural logarithm of 'blackBodyLuminance', which itself underflows below about
+-- 24 K. Minus infinity if the temperature is not positive.
 logLuminance :: Double -> Double
 logLuminance temperature
   | temperature > 0 =
@@ -89,12 +86,12 @@ logLuminance temperature
       683 * 2 * lightSpeed * boltzmannConstant * 1e-9
         / (1e-9 * pivotWavelength) ^ (4 :: Int)
 
--- | Luminance of a black body in cd/m²: 6e5 at the freezing point of
--- platinum, the old definition of the candela. 0 for no positive temperature.
+-- | The luminance of a black body in cd/m²: 6e5 at the freezing point of platinum, the
+-- old definition of the candela. 0 if the temperature is not positive.
 blackBodyLuminance :: Double -> Double
 blackBodyLuminance = exp . logLuminance
 
--- | @bolometricIntensity reference temperature@: radiance over all wavelengths
+-- | @bolometricIntensity reference temperature@ is the radiance over all wavelengths
 -- relative to that of a black body at the reference temperature, (T/T₀)⁴.
 bolometricIntensity :: Double -> Double -> Double
 bolometricIntensity reference temperature = square (square ratio)
@@ -103,17 +100,17 @@ bolometricIntensity reference temperature = square (square ratio)
     square a = a * a
 {-# INLINE bolometricIntensity #-}
 
--- | @visibleIntensity reference temperature@: luminance relative to that of a
--- black body at the reference temperature: what a camera records, which falls
--- much faster than T⁴ on the red side and only as T on the blue one.
+-- | @visibleIntensity reference temperature@ is the luminance relative to that of a
+-- black body at the reference temperature, which is what a camera records. It falls
+-- much faster than T⁴ towards the red and rises only as T towards the blue.
 visibleIntensity :: Double -> Double -> Double
 visibleIntensity reference temperature =
   exp (logLuminance temperature - logLuminance reference)
 
--- | XYZ of (λ₀/λ)⁴ z e^{z₁}/(e^z − 1) with z = hc/(λkT): Planck's spectrum
--- without its factors that are the same for all wavelengths. Taking out
--- e^{−z₁}, z₁ at the longest wavelength, keeps the sum from underflowing at
--- any low temperature, and z keeps it from overflowing at any high one.
+-- | XYZ of (λ₀/λ)⁴ z e^{z₁}/(e^z − 1) with z = hc/(λkT): Planck's spectrum without the
+-- factors that do not depend on the wavelength. Taking out e^{−z₁}, with z₁ at the
+-- longest wavelength, prevents underflow at low temperatures, and the factor z prevents
+-- overflow at high ones.
 reducedXyz :: Double -> Xyz
 reducedXyz temperature = xyzOfSpectrum reduced
   where
@@ -124,7 +121,7 @@ reducedXyz temperature = xyzOfSpectrum reduced
           q2 = q * q
        in q2 * q2 * z * exp (z1 - z) / negate (expm1 (-z))
 
--- | The limits are reached to double precision at both ends.
+-- | At both ends the limits are reached to double precision.
 clampTemperature :: Double -> Double
 clampTemperature temperature
   | temperature > 1e20 = 1e20
@@ -135,18 +132,18 @@ clampTemperature temperature
 longestWavelength :: Double
 longestWavelength = 830
 
--- | Where the reduced spectrum is of order one, in nanometres.
+-- | The wavelength in nanometres at which the reduced spectrum is of order one.
 pivotWavelength :: Double
 pivotWavelength = 560
 
--- | J s, exact (SI 2019).
+-- | In J s, exact (SI 2019).
 planckConstant :: Double
 planckConstant = 6.62607015e-34
 
--- | m/s, exact.
+-- | In m/s, exact.
 lightSpeed :: Double
 lightSpeed = 299792458
 
--- | J/K, exact (SI 2019).
+-- | In J/K, exact (SI 2019).
 boltzmannConstant :: Double
 boltzmannConstant = 1.380649e-23

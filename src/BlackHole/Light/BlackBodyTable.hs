@@ -1,11 +1,10 @@
--- | Black-body colour and brightness for every sample of the gas, looked up in
--- a table that is built once from "BlackHole.Light.BlackBody" (a few
--- milliseconds at the first use, 32 KiB).
+-- | Black-body colour and brightness from a table, for every sample of the gas.
 --
--- The nodes are equally spaced in s = ln(1 + 3000 K/T), which is the
--- logarithm of T for cold gas and reaches T = ∞ at s = 0, so that the table
--- needs no upper end; it starts at 'coldestTabulated'. Between the nodes the values
--- are linear in s, hence as monotone as the functions themselves.
+-- The table is built once from "BlackHole.Light.BlackBody", at its first use, in a few
+-- milliseconds, and takes 32 KiB. Its nodes are equally spaced in s = ln(1 + 3000 K/T),
+-- which behaves like ln T for cold gas and reaches T = ∞ at s = 0, so the table needs
+-- no upper end. It starts at 'coldestTabulated'. Between the nodes the values are
+-- linear in s and therefore as monotone as the functions themselves.
 module BlackHole.Light.BlackBodyTable
   ( Brightness (..),
     tabulatedColour,
@@ -21,17 +20,18 @@ import BlackHole.Light.Radiance
 import qualified Data.Vector.Unboxed as U
 import Numeric (expm1, log1p)
 
--- | How bright a black body is against one at a reference temperature.
+-- | The measure of a black body's brightness relative to one at a reference
+-- temperature.
 data Brightness
-  = -- | As its radiance over all wavelengths: (T/T₀)⁴.
+  = -- | Radiance over all wavelengths: (T/T₀)⁴.
     Bolometric
-  | -- | As its luminance, the part that an eye or a camera sees.
+  | -- | Luminance, the part that an eye or a camera sees.
     Visible
   deriving (Eq, Ord, Show, Read, Enum, Bounded)
 
--- | 'blackBodyColour' from the table: within 2e-5 in each amount (luminance
--- 1), at any temperature. Below 'coldestTabulated' it stays at the value there,
--- which is the limit T → 0 to 1e-7.
+-- | 'blackBodyColour' from the table, at any temperature, within 2e-5 in each component
+-- (at luminance 1). Below 'coldestTabulated' it keeps the value at that temperature,
+-- which is the limit T → 0 to within 1e-7.
 tabulatedColour :: Double -> Radiance
 tabulatedColour temperature =
   desaturateIntoGamut
@@ -43,8 +43,8 @@ tabulatedColour temperature =
   where
     place = placeOf temperature
 
--- | 'blackBodyLuminance' from the table, in cd/m², within 6e-5 of itself. 0
--- below 'coldestTabulated', where the truth is below 1e-72 cd/m².
+-- | 'blackBodyLuminance' from the table in cd/m², within a relative error of 6e-5. 0
+-- below 'coldestTabulated', where the exact value is below 1e-72 cd/m².
 tabulatedLuminance :: Double -> Double
 tabulatedLuminance temperature
   | temperature >= coldestTabulated =
@@ -55,11 +55,11 @@ tabulatedLuminance temperature
         )
   | otherwise = 0
 
--- | @blackBodyRadiance brightness reference temperature@: the light of a black
--- body, in units in which one at the reference temperature has luminance 1.
--- The reference should be at least 'coldestTabulated'; below it, the visible
--- brightness has nothing to be compared with and everything is 'black'. Bind
--- the result of the first two arguments to prepare them once.
+-- | @blackBodyRadiance brightness reference temperature@ is the light of a black body,
+-- in units in which one at the reference temperature has luminance 1. The reference
+-- should be at least 'coldestTabulated'; below it, the visible brightness is undefined
+-- and the result 'black'. Bind the result of the first two arguments to prepare them
+-- once.
 blackBodyRadiance :: Brightness -> Double -> Double -> Radiance
 blackBodyRadiance Bolometric reference =
   \temperature ->
@@ -80,7 +80,7 @@ blackBodyRadiance Visible reference =
 coldestTabulated :: Double
 coldestTabulated = 100
 
--- | A node, and how far the point lies on the way to the next, 0 to 1.
+-- | A node, and the fraction of the way to the next one, 0 to 1.
 data Place = Place !Int !Double
 
 placeOf :: Double -> Place
@@ -100,10 +100,10 @@ interpolate (Place node t) column = a + t * (b - a)
     b = U.unsafeIndex table (columnCount * (node + 1) + column)
 {-# INLINE interpolate #-}
 
--- | By rows: red, green and blue at luminance 1 before the mapping into the
--- gamut, which has a kink that no interpolation would follow; then
--- ln(luminance/T) + hc/(λkT) with λ at 'redWavelength', which takes most of
--- the curvature of the Wien side out of it.
+-- | The rows of the table. Red, green and blue at luminance 1 are stored before the
+-- mapping into the gamut, which has a kink that no interpolation would follow. The
+-- fourth column is ln(luminance/T) + hc/(λkT) with λ at 'redWavelength', which removes
+-- most of the curvature on the Wien side.
 table :: U.Vector Double
 table = U.fromListN (columnCount * nodeCount) (concatMap row [0 .. nodeCount - 1])
   where
@@ -118,7 +118,7 @@ table = U.fromListN (columnCount * nodeCount) (concatMap row [0 .. nodeCount - 1
             logLuminance temperature - log temperature
               + secondRadiationConstant / (redWavelength * temperature)
           ]
-    -- Already the limit, and still a number.
+    -- Already at the limit, and still finite.
     hottest = 1e20
 {-# NOINLINE table #-}
 
@@ -132,7 +132,8 @@ nodeSpacing :: Double
 nodeSpacing =
   log1p (softeningTemperature / coldestTabulated) / fromIntegral (nodeCount - 1)
 
--- | Where the spacing of the nodes turns from that of ln T to that of 1/T.
+-- | The temperature at which the spacing of the nodes changes from that of ln T to that
+-- of 1/T.
 softeningTemperature :: Double
 softeningTemperature = 3000
 

@@ -1,6 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | The CIE 1931 2° standard observer: from spectra to XYZ to linear Rec. 709.
+-- | The CIE 1931 2° standard observer: from spectra to XYZ, and from XYZ to linear Rec.
+-- 709.
 module BlackHole.Light.Cie
   ( Xyz (..),
     xyzOfSpectrum,
@@ -13,8 +14,8 @@ where
 import BlackHole.Light.Radiance
 import qualified Data.Vector.Unboxed as U
 
--- | Tristimulus values of the CIE 1931 2° observer. Y is the luminance, in the
--- unit of 'Radiance'.
+-- | Tristimulus values of the CIE 1931 2° observer. Y is the luminance, in the unit of
+-- 'Radiance'.
 data Xyz = Xyz
   { xyzX :: {-# UNPACK #-} !Double,
     xyzY :: {-# UNPACK #-} !Double,
@@ -22,11 +23,11 @@ data Xyz = Xyz
   }
   deriving (Eq, Show)
 
--- | Integrate a spectrum, given as power per nanometre at a wavelength in
--- nanometres, against the matching functions. The spectrum is asked at the 95
--- wavelengths 360, 365 … 830 nm and summed by the trapezoidal rule, the 5 nm
--- practice of CIE 015; for black bodies from 500 K up the chromaticity differs
--- by less than 2e-6 from that of the table at every nanometre.
+-- | The tristimulus values of a spectrum, given as power per nanometre at a wavelength
+-- in nanometres. The spectrum is evaluated at the 95 wavelengths 360, 365, …, 830 nm
+-- and summed with the trapezoidal rule, which is the 5 nm practice of CIE 015. For
+-- black bodies from 500 K up the chromaticity differs by less than 2e-6 from the sum
+-- over every nanometre.
 xyzOfSpectrum :: (Double -> Double) -> Xyz
 xyzOfSpectrum power = go 0 0 0 0
   where
@@ -48,8 +49,8 @@ xyzOfSpectrum power = go 0 0 0 0
     firstWavelength = 360
 {-# INLINE xyzOfSpectrum #-}
 
--- | The chromaticity coordinates (x, y); 'Nothing' where X + Y + Z is not a
--- positive finite number (black has no colour).
+-- | The chromaticity coordinates (x, y); 'Nothing' if X + Y + Z is not a positive
+-- finite number (black has no colour).
 chromaticityXy :: Xyz -> Maybe (Double, Double)
 chromaticityXy (Xyz x y z)
   | total > 0 && not (isInfinite total) = Just (x / total, y / total)
@@ -57,9 +58,10 @@ chromaticityXy (Xyz x y z)
   where
     total = x + y + z
 
--- | XYZ to linear Rec. 709 with its D65 white at (0.3127, 0.3290), by the
--- matrix that follows from the primaries of BT.709. A colour outside the
--- triangle of the primaries has a negative amount: see 'BlackHole.Light.Gamut.desaturateIntoGamut'.
+-- | Converts XYZ to linear Rec. 709 with its D65 white at (0.3127, 0.3290), by the
+-- matrix that follows from the primaries of BT.709. A colour outside the triangle of
+-- the primaries has a negative component; see
+-- 'BlackHole.Light.Gamut.desaturateIntoGamut'.
 radianceOfXyz :: Xyz -> Radiance
 radianceOfXyz (Xyz x y z) =
   Radiance
@@ -68,7 +70,7 @@ radianceOfXyz (Xyz x y z) =
     (0.05563007969699361 * x - 0.20397695888897657 * y + 1.0569715142428786 * z)
 {-# INLINE radianceOfXyz #-}
 
--- | Linear Rec. 709 to XYZ; the inverse of 'radianceOfXyz'.
+-- | Converts linear Rec. 709 to XYZ; the inverse of 'radianceOfXyz'.
 xyzOfRadiance :: Radiance -> Xyz
 xyzOfRadiance (Radiance r g b) =
   Xyz
@@ -80,9 +82,9 @@ xyzOfRadiance (Radiance r g b) =
 wavelengthCount :: Int
 wavelengthCount = U.length matchingFunctions `div` 3
 
--- | The CIE 1931 2° colour-matching functions x̄, ȳ, z̄ at 360, 365 … 830 nm
--- (CIE 1931; CIE 015:2018 and CIE 018:2019, every fifth nanometre of the
--- table of ISO/CIE 11664-1).
+-- | The CIE 1931 2° colour-matching functions x̄, ȳ, z̄ at 360, 365, …, 830 nm (CIE
+-- 1931; CIE 015:2018 and CIE 018:2019, every fifth nanometre of the table of ISO/CIE
+-- 11664-1).
 matchingFunctions :: U.Vector Double
 matchingFunctions =
   U.fromList

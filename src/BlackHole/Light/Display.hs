@@ -1,7 +1,7 @@
--- | From linear radiance to what a display is told, in separate steps: exposure,
--- tone map ("BlackHole.Light.ToneMap"), sRGB coding (IEC 61966-2-1), dither
--- ("BlackHole.Light.Dither"). Nothing here depends on any other pixel's light, so
--- equal light at the same place always gives equal bytes.
+-- | From linear radiance to the codes of a display, in separate steps: exposure, tone
+-- map ("BlackHole.Light.ToneMap"), sRGB coding (IEC 61966-2-1) and dither
+-- ("BlackHole.Light.Dither"). No step depends on any other pixel's light, so equal
+-- light at the same position always gives equal bytes.
 module BlackHole.Light.Display
   ( Exposure (..),
     expose,
@@ -28,16 +28,16 @@ import BlackHole.Light.ToneMap
 import qualified Data.Vector.Unboxed as U
 import Data.Word (Word16, Word8)
 
--- | Exposure in stops: each doubles the light; 0 leaves it alone.
+-- | Exposure in stops: each stop doubles the light, and 0 leaves it unchanged.
 newtype Exposure = Exposure {exposureStops :: Double}
   deriving (Eq, Ord, Show)
 
--- | Multiply the light by two to the exposure.
+-- | Multiplies the light by two to the power of the exposure.
 expose :: Exposure -> Radiance -> Radiance
 expose (Exposure stops) = scaleRadiance (2 ** stops)
 {-# INLINE expose #-}
 
--- | Linear 0…1 to the sRGB signal 0…1.
+-- | Converts linear light, 0 to 1, to the sRGB signal, 0 to 1.
 encodeSrgb :: Double -> Double
 encodeSrgb x
   | x <= 0.0031308 = 12.92 * x
@@ -51,8 +51,8 @@ decodeSrgb s
   | otherwise = ((s + 0.055) / 1.055) ** 2.4
 {-# INLINE decodeSrgb #-}
 
--- | A signal 0…1 to the nearest of 256 codes; values outside, and NaN, go to
--- the ends of the range.
+-- | The nearest of 256 codes to a signal in 0 to 1. Values outside the range, and NaN,
+-- go to its ends.
 quantise :: Double -> Word8
 quantise s
   | s >= 1 = 255
@@ -60,14 +60,13 @@ quantise s
   | otherwise = 0
 {-# INLINE quantise #-}
 
--- | @ditheredCode threshold signal@: 'quantise' that rounds up from another part
--- of a step than one half. The signal lies within 0…1, the threshold above 0 and
--- below 1.
+-- | @ditheredCode threshold signal@ is 'quantise' with a rounding threshold other than
+-- one half. The signal lies in 0 to 1; the threshold is above 0 and below 1.
 ditheredCode :: Double -> Double -> Word8
 ditheredCode threshold s = fromIntegral (truncate (s * 255 + threshold) :: Int)
 {-# INLINE ditheredCode #-}
 
--- | A signal 0…1 to the nearest of 65536 codes, with the same ends.
+-- | The nearest of 65536 codes to a signal, with the same treatment of the ends.
 fineCode :: Double -> Word16
 fineCode s
   | s >= 1 = 65535
@@ -75,7 +74,7 @@ fineCode s
   | otherwise = 0
 {-# INLINE fineCode #-}
 
--- | Three sRGB signals, each 0…1.
+-- | Three sRGB signals, each in 0 to 1.
 data Signal
   = Signal
       {-# UNPACK #-} !Double
@@ -83,15 +82,15 @@ data Signal
       {-# UNPACK #-} !Double
   deriving (Eq, Show)
 
--- | Exposure, tone map and coding, prepared: both curves are tabulated over the
--- square roots of light, where they are nearly straight.
+-- | Exposure, tone map and coding, prepared for many pixels. Both curves are tabulated
+-- over the square root of light, in which they are nearly straight.
 data Developer
-  = -- | The factor of the exposure and the tone map's curve, root to root.
+  = -- | The factor of the exposure, and the tone map's curve from root to root.
     Curved !Double !Double (Double -> Double) !(U.Vector Double)
   | -- | The factor alone.
     Fitted !Double
 
--- | Prepare; about a millisecond, shared by all pixels.
+-- | Prepares the tables, in about a millisecond, for all pixels.
 developer :: Exposure -> ToneMap -> Developer
 developer (Exposure stops) tone = case toneCurve tone of
   Nothing -> Fitted factor
@@ -101,8 +100,8 @@ developer (Exposure stops) tone = case toneCurve tone of
   where
     factor = 2 ** stops
 
--- | The signals for some radiance: within 2e-6 of the exact functions'. About
--- 20 ns. Negative amounts and NaN count as none.
+-- | The signals of a radiance, within 2e-6 of the exact functions, in about 20 ns.
+-- Negative components and NaN count as zero.
 developSignal :: Developer -> Radiance -> Signal
 developSignal prepared light = case prepared of
   Fitted factor ->
@@ -113,22 +112,22 @@ developSignal prepared light = case prepared of
     coded r g b = Signal (codedRoot r) (codedRoot g) (codedRoot b)
 {-# INLINE developSignal #-}
 
--- | The curve between nodes; beyond the table, the curve itself.
+-- | The curve interpolated between nodes; beyond the table, the curve itself.
 tabulated :: (Double -> Double) -> U.Vector Double -> Double -> Double
 tabulated root table u
   | u < curveReach = interpolated table (u * (fromIntegral curveNodes / curveReach))
   | otherwise = root u
 {-# INLINE tabulated #-}
 
--- | The sRGB signal of linear light from its root, 0…1 but for the last digit;
--- 0 for NaN.
+-- | The sRGB signal of linear light from the square root of that light: 0 to 1 up to
+-- rounding, and 0 for NaN.
 codedRoot :: Double -> Double
 codedRoot u
   | u > 0 = interpolated signalTable (u * fromIntegral signalNodes)
   | otherwise = 0
 {-# INLINE codedRoot #-}
 
--- | At a place from 0 to the table's last but one node.
+-- | The value at a position from 0 to the table's last node but one.
 interpolated :: U.Vector Double -> Double -> Double
 interpolated table place = a + (place - fromIntegral node) * (U.unsafeIndex table (node + 1) - a)
   where
@@ -146,11 +145,12 @@ signalNodes = 2048
 curveNodes :: Int
 curveNodes = 4096
 
--- | The root of the brightest light in the table, 36 times display white.
+-- | The square root of the brightest light in the table, which is 36 times display
+-- white.
 curveReach :: Double
 curveReach = 6
 
--- | All steps for one pixel in a column and row: red, green and blue codes.
+-- | All steps for the pixel in a column and a row: red, green and blue codes.
 displayCode :: Developer -> Dither -> Int -> Int -> Radiance -> (Word8, Word8, Word8)
 displayCode prepared dither column row light =
   (ditheredCode (threshold 0) r, ditheredCode (threshold 1) g, ditheredCode (threshold 2) b)

@@ -1,11 +1,10 @@
--- | Dither: rounding that hides the steps between a display's codes.
+-- | Dither: rounding that hides the steps between the codes of a display.
 --
--- A smooth dark gradient in 8 bits shows its steps as bands. Instead of always
--- rounding at one half, every pixel rounds at a threshold of its own, so that
--- the mean over a small area is the value itself. The thresholds are blue noise:
--- neighbours differ as much as possible, and the eye, which averages fine
--- detail, sees neither grain nor a pattern. What is a code exactly, like black
--- and white, stays as it is.
+-- In 8 bits, a smooth dark gradient shows its steps as bands. Dither gives every pixel
+-- its own rounding threshold instead of one half, so that the mean over a small area is
+-- the exact value. The thresholds are blue noise: neighbours differ as much as
+-- possible, and the eye, which averages fine detail, sees neither grain nor a pattern.
+-- Values that are exact codes, such as black and white, stay unchanged.
 module BlackHole.Light.Dither
   ( Dither (..),
     ditherThreshold,
@@ -18,7 +17,7 @@ import Data.Char (isAsciiLower, isAsciiUpper, isDigit, ord)
 import qualified Data.Vector.Unboxed as U
 import Data.Word (Word8)
 
--- | Whether codes of 8 bits are dithered. 16 bits never are: their steps are
+-- | Whether 8-bit codes are dithered. 16-bit codes never are, because their steps are
 -- finer than any display shows.
 data Dither
   = -- | Round to the nearest code.
@@ -27,11 +26,10 @@ data Dither
     BlueNoise
   deriving (Eq, Show, Read, Enum, Bounded)
 
--- | @ditherThreshold channel column row@: what is added to a value, in codes,
--- before its fraction is cut off. Above 0 and below 1, each of 64 levels equally
--- often in every tile of 'ditherTileSide'. The three channels (0, 1, 2) see the
--- tile shifted against each other, so that their errors do not add up in
--- brightness. Any column and row.
+-- | @ditherThreshold channel column row@ is the amount, in codes, to add to a value
+-- before truncating it. It is above 0 and below 1, and takes each of 64 levels equally
+-- often in every tile of 'ditherTileSide'. The three channels (0, 1, 2) use shifted
+-- tiles, so that their errors do not add up in brightness. Any column and row is valid.
 ditherThreshold :: Int -> Int -> Int -> Double
 ditherThreshold channel column row = (fromIntegral (U.unsafeIndex tile (y `shiftL` 6 .|. x)) + 0.5) * 0.015625
   where
@@ -39,7 +37,7 @@ ditherThreshold channel column row = (fromIntegral (U.unsafeIndex tile (y `shift
     y = (row + 43 * channel) .&. (ditherTileSide - 1)
 {-# INLINE ditherThreshold #-}
 
--- | Pixels after which the thresholds repeat in either direction.
+-- | The number of pixels after which the thresholds repeat in either direction.
 ditherTileSide :: Int
 ditherTileSide = 64
 
@@ -48,7 +46,7 @@ tile :: U.Vector Word8
 tile = U.fromListN (ditherTileSide * ditherTileSide) (map (fromIntegral . level) (concat ranks))
 {-# NOINLINE tile #-}
 
--- | 0…63 for the digits of the table below.
+-- | Converts a digit of the table below to a level, 0 to 63.
 level :: Char -> Int
 level c
   | isAsciiUpper c = ord c - ord 'A'
@@ -57,9 +55,9 @@ level c
   | c == '+' = 62
   | otherwise = 63
 
--- | Made by script/BlueNoise.hs with the void-and-cluster method (Ulichney 1993),
--- ranks cut to six bits. Below a tenth of a cycle per
--- pixel it has less than a thousandth of white noise's power.
+-- | Made by script/BlueNoise.hs with the void-and-cluster method (Ulichney 1993), with
+-- ranks reduced to six bits. Below a tenth of a cycle per pixel it has less than a
+-- thousandth of the power of white noise.
 ranks :: [String]
 ranks =
   [ "rHfvnNKxr4GXjARL9lS7E0A3YyHKidTluQ18gs-Kw4rIN7ZS+kFdAgyS7qCZ2oP+",

@@ -1,4 +1,4 @@
--- | Bringing colours into the range of a display without turning their hue.
+-- | Mapping colours into the range of a display without changing their hue.
 module BlackHole.Light.Gamut
   ( desaturateIntoGamut,
     fitGamut,
@@ -7,19 +7,19 @@ where
 
 import BlackHole.Light.Radiance
 
--- | The nearest colour without negative amounts, at the same luminance. Colours
--- that have none are returned as they are; light without a positive luminance
--- has no such neighbour and becomes 'black'. NaN stays NaN.
+-- | The nearest colour without negative components, at equal luminance. Colours without
+-- negative components are returned unchanged. Light without a positive luminance has no
+-- such neighbour and becomes 'black'. NaN stays NaN.
 --
--- Where red or blue is the least amount, white is mixed in until it is zero: the
--- direction from the white point (the dominant wavelength) stays as it is.
--- Clipping that amount alone would turn the hue.
+-- If red or blue is the smallest component, white is mixed in until it is zero, which
+-- preserves the direction from the white point (the dominant wavelength). Clipping that
+-- component alone would change the hue.
 --
--- Where green is the least, beyond the purple side of the display's triangle,
--- the way to white would add blue to the deepest reds, which no eye sees there:
--- light at 700 nm would become pink. So negative amounts are set to zero and the
--- rest is scaled, by which the end of the spectrum becomes the display's red.
--- Both rules agree where they meet.
+-- If green is the smallest component, beyond the purple side of the display's triangle,
+-- mixing in white would add blue to the deepest reds, which no eye sees there: light at
+-- 700 nm would become pink. In that case negative components are set to zero and the
+-- rest is scaled, so the end of the spectrum becomes the display's red. Both rules
+-- agree where they meet.
 desaturateIntoGamut :: Radiance -> Radiance
 desaturateIntoGamut colour@(Radiance r g b)
   | least >= 0 = colour
@@ -31,16 +31,16 @@ desaturateIntoGamut colour@(Radiance r g b)
     y = luminance colour
     positive = mapRadiance (max 0) colour
     saturation = y / (y - least)
-    -- Zero itself for the least amount: the formula would leave it at the
-    -- rounding error, on either side.
+    -- Exactly zero for the smallest component, where the formula would leave a rounding
+    -- error of either sign.
     towardsWhite c
       | c <= least = 0
       | otherwise = max 0 (y + saturation * (c - y))
 {-# INLINE desaturateIntoGamut #-}
 
--- | Clip to 0…1 without turning the hue: a colour that is too bright for the
--- display is mixed with the white of its own luminance until it fits. Clipping
--- each primary alone would turn bright orange into yellow.
+-- | Clips to 0 to 1 without changing the hue: a colour too bright for the display is
+-- mixed with white of equal luminance until it fits. Clipping each primary alone would
+-- turn bright orange into yellow.
 fitGamut :: Radiance -> Radiance
 fitGamut light@(Radiance r g b)
   | peak <= 1 = positive

@@ -1,4 +1,4 @@
--- | Light as the film adds it up: linear radiance in the Rec. 709 primaries.
+-- | Linear radiance in the Rec. 709 primaries, in which the film accumulates light.
 module BlackHole.Light.Radiance
   ( Radiance (..),
     black,
@@ -13,10 +13,10 @@ where
 
 infixl 6 <+>
 
--- | Linear radiance: the amounts of the red, green and blue primaries of
--- ITU-R BT.709 (the primaries and the D65 white of sRGB too), not yet coded
--- for a display. The unit is the scene's own: exposure fixes what is white.
--- Any value from 0 up is meaningful; equal amounts are white.
+-- | Linear radiance: the amounts of the red, green and blue primaries of ITU-R BT.709,
+-- which sRGB shares together with its D65 white, not yet encoded for a display. The
+-- unit is the scene's own; the exposure determines what becomes white. Any value from 0
+-- up is meaningful; equal components are white.
 data Radiance
   = Radiance
       {-# UNPACK #-} !Double
@@ -24,7 +24,7 @@ data Radiance
       {-# UNPACK #-} !Double
   deriving (Eq, Ord, Show, Read)
 
--- | Light adds.
+-- | The sum of two lights.
 instance Semigroup Radiance where
   (<>) = (<+>)
   {-# INLINE (<>) #-}
@@ -37,39 +37,38 @@ instance Monoid Radiance where
 black :: Radiance
 black = Radiance 0 0 0
 
--- | White light of the given luminance.
+-- | White light of this luminance.
 grey :: Double -> Radiance
 grey v = Radiance v v v
 {-# INLINE grey #-}
 
--- | Sum of two lights; the operator of the 'Semigroup'.
+-- | The sum of two lights; the operator of the 'Semigroup'.
 (<+>) :: Radiance -> Radiance -> Radiance
 Radiance r g b <+> Radiance r' g' b' = Radiance (r + r') (g + g') (b + b')
 {-# INLINE (<+>) #-}
 
--- | The same light, as many times as strong.
+-- | The light multiplied by a factor.
 scaleRadiance :: Double -> Radiance -> Radiance
 scaleRadiance k (Radiance r g b) = Radiance (k * r) (k * g) (k * b)
 {-# INLINE scaleRadiance #-}
 
--- | Apply a function to each of the three amounts.
+-- | Applies a function to each of the three components.
 mapRadiance :: (Double -> Double) -> Radiance -> Radiance
 mapRadiance f (Radiance r g b) = Radiance (f r) (f g) (f b)
 {-# INLINE mapRadiance #-}
 
--- | CIE luminance Y, 1 for @grey 1@. The weights follow from the primaries
--- and the white of BT.709 and are what that standard rounds to 0.2126,
--- 0.7152 and 0.0722; unrounded, they agree with "BlackHole.Light.Cie" to
--- rounding.
+-- | CIE luminance Y, which is 1 for @grey 1@. The weights follow from the primaries and
+-- the white of BT.709, which rounds them to 0.2126, 0.7152 and 0.0722. Unrounded, they
+-- agree with "BlackHole.Light.Cie" to rounding error.
 luminance :: Radiance -> Double
 luminance (Radiance r g b) =
   0.21263900587151027 * r + 0.715168678767756 * g + 0.07219231536073371 * b
 {-# INLINE luminance #-}
 
--- | Whether all three amounts are finite numbers.
+-- | Whether all three components are finite numbers.
 isFiniteRadiance :: Radiance -> Bool
 isFiniteRadiance (Radiance r g b) = finite r && finite g && finite b
   where
-    -- Of a NaN and of infinities the difference is NaN.
+    -- The difference is NaN for NaN and for infinities.
     finite a = a - a == 0
 {-# INLINE isFiniteRadiance #-}

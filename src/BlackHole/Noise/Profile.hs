@@ -1,7 +1,8 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | Fourier profiles: how strong the noise is at each level of the grid, that
--- is, in each octave of spatial frequency (report, "Texture Generation").
+-- | Fourier profiles: the strength of the noise at each level of the grid, that is, in
+-- each octave of spatial frequency (Will Yager, "Accurately Rendering a Black Hole",
+-- section "Texture Generation").
 module BlackHole.Noise.Profile
   ( Profile,
     profile,
@@ -23,14 +24,14 @@ import Data.Primitive.PrimArray
     sizeofPrimArray,
   )
 
--- | An amplitude for every level. The sum of two profiles ('<>') adds the
--- amplitudes level by level; 'mempty' is silence.
+-- | An amplitude for every level. The sum of two profiles ('<>') adds the amplitudes
+-- level by level; 'mempty' has the amplitude 0 everywhere.
 --
--- The amplitudes of consecutive levels lie in one unboxed array, from the
--- first level that was named to the last.
+-- The amplitudes of consecutive levels are stored in one unboxed array, from the first
+-- level with an amplitude to the last.
 data Profile = Profile {-# UNPACK #-} !Int !(PrimArray Double)
 
--- | Equal amplitudes at every level, named or not.
+-- | Equality of the amplitudes at every level, whether stored or not.
 instance Eq Profile where
   a == b = layers a == layers b
 
@@ -44,8 +45,8 @@ instance Semigroup Profile where
 instance Monoid Profile where
   mempty = profile []
 
--- | The profile with these amplitudes, which should be finite; a level named
--- twice gets the sum, a level not named gets 0.
+-- | The profile with these amplitudes, which should be finite. A level that occurs
+-- twice gets the sum, and a level that does not occur gets 0.
 profile :: [(Level, Double)] -> Profile
 profile [] = Profile 0 (primArrayFromList [])
 profile pairs = Profile first (primArrayFromList (map amplitudeOf [first .. final]))
@@ -55,17 +56,17 @@ profile pairs = Profile first (primArrayFromList (map amplitudeOf [first .. fina
     final = maximum numbers
     amplitudeOf n = sum [a | (l, a) <- pairs, levelNumber l == n]
 
--- | @octaves first count gain@: @count@ levels from @first@ on, each twice as
--- fine as the one before and @gain@ times as strong, beginning with the
--- amplitude 1. Levels beyond 64 do not exist and are left out; a count below
--- 1 gives silence. A gain of 0.5 looks like clouds, more is rougher.
+-- | @octaves first count gain@ is the profile of @count@ levels from @first@ on. Each
+-- is twice as fine and @gain@ times as strong as the previous one, and the first has
+-- the amplitude 1. Levels beyond 64 are left out; a count below 1 gives 'mempty'. A
+-- gain of 0.5 looks like clouds, and a larger one rougher.
 octaves :: Level -> Int -> Double -> Profile
 octaves first count gain =
   profile (zip levels (take count (iterate (* gain) 1)))
   where
     levels = map clampedLevel [levelNumber first .. levelNumber maxBound]
 
--- | The levels whose amplitude is not 0, coarse to fine.
+-- | The levels whose amplitude is not 0, from coarse to fine.
 layers :: Profile -> [(Level, Double)]
 layers (Profile first amplitudes) =
   [ (clampedLevel n, a)
@@ -73,13 +74,12 @@ layers (Profile first amplitudes) =
       a /= 0
   ]
 
--- | The sum of the amplitudes' moduli: noise of this profile keeps within
--- plus and minus this value.
+-- | The sum of the amplitudes' moduli, which bounds the modulus of the profile's noise.
 profileBound :: Profile -> Double
 profileBound (Profile _ amplitudes) = sum (map abs (primArrayToList amplitudes))
 
--- | The profile of the same shape with the bound 1, so that its noise lies in
--- −1 … 1. Silence, and a profile whose bound is not finite, stay as they are.
+-- | The profile scaled to the bound 1, so its noise lies in −1 to 1. A profile whose
+-- bound is 0 or not finite is returned unchanged.
 normalised :: Profile -> Profile
 normalised p@(Profile first amplitudes)
   | bound > 0 && not (isInfinite bound) = Profile first (mapPrimArray (/ bound) amplitudes)
@@ -87,9 +87,8 @@ normalised p@(Profile first amplitudes)
   where
     bound = profileBound p
 
--- | The sum of amplitude times value over the levels whose amplitude is not
--- 0, coarse to fine, in any monad. At most 65 steps; allocates nothing once
--- inlined.
+-- | The sum of amplitude times value over the levels whose amplitude is not 0, from
+-- coarse to fine, in any monad. At most 65 steps; allocates nothing once inlined.
 sumLayers :: Monad m => (Level -> m Double) -> Profile -> m Double
 sumLayers value (Profile first amplitudes) = go 0 0
   where

@@ -1,11 +1,11 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | Noise in space whose gradients are remembered for a box.
+-- | Noise in space with a table of the gradients in a box.
 --
--- A picture asks for the same few lattice points again and again, and SipHash
--- is most of the cost of noise. The table holds the number of the gradient, one
--- byte, of every point of the levels that fit into a budget; elsewhere the point
--- is hashed as ever. The values are the same to the last bit either way.
+-- A picture needs the same few lattice points again and again, and SipHash accounts for
+-- most of the cost of noise. The table holds the number of the gradient, one byte, of
+-- every point of the levels that fit into a budget. Points outside it are hashed. The
+-- values are identical to the last bit either way.
 module BlackHole.Noise.Remembered
   ( Remembered,
     remember,
@@ -26,21 +26,21 @@ import Data.Bits ((.&.))
 import Data.Primitive.PrimArray
 import Data.Word (Word64, Word8)
 
--- | Noise of a seed and a profile, with a table.
+-- | Noise of a seed and a profile, with a table of gradients.
 data Remembered = Remembered
   { rememberedSeed :: !Seed,
-    -- | For each level of the profile whose amplitude is not 0 that amplitude
-    -- and the cells per unit of space.
+    -- | For each level of the profile whose amplitude is not 0: that amplitude, and the
+    -- cells per unit of space.
     rememberedReals :: !(PrimArray Double),
-    -- | For each of them 'boxFields' numbers ('boxNumbers').
+    -- | For each of these levels 'boxFields' numbers ('boxNumbers').
     rememberedBoxes :: !(PrimArray Word64),
     rememberedGradients :: !(PrimArray Word8)
   }
 
--- | @remember budget seed profile low high@: remember the box between two
--- corners, for as many of the profile's levels, coarse to fine, as need no more
--- than the budget of points together. Each takes one byte and some 25 ns once.
--- A box that reaches beyond the torus is remembered all around it.
+-- | @remember budget seed profile low high@ tabulates the gradients in the box between
+-- the corners @low@ and @high@, for as many of the profile's levels, from coarse to
+-- fine, as together need at most @budget@ points. Each point takes one byte and about
+-- 25 ns, once. A box that reaches beyond the torus is tabulated all around it.
 remember :: Int -> Seed -> Profile -> XYZ -> XYZ -> Remembered
 remember budget seed profile low high =
   Remembered
@@ -61,11 +61,11 @@ remember budget seed profile low high =
       | boxCountX box == 0 = []
       | otherwise = [gradientsOfLines seed box from (min (lineCount box) (from + pieceOf box)) | from <- [0, pieceOf box .. lineCount box - 1]]
     lineCount box = fromIntegral ((boxCountX box + 1) * (boxCountY box + 1)) :: Int
-    -- Some 50000 points.
+    -- About 50 000 points.
     pieceOf box = 1 + 50000 `quot` fromIntegral (boxCountZ box + 1)
 
--- | The numbers of the gradients on some of a box's lines along z, from one number of
--- a line to before another.
+-- | The numbers of the gradients on a range of a box's lines along z, given by the
+-- first line and the line after the last.
 gradientsOfLines :: Seed -> Box -> Int -> Int -> PrimArray Word8
 gradientsOfLines seed (Box l x y z _ ny nz _) from to = runPrimArray $ do
   numbers <- newPrimArray ((to - from) * count)
@@ -82,21 +82,21 @@ gradientsOfLines seed (Box l x y z _ ny nz _) from to = runPrimArray $ do
   where
     !count = fromIntegral (nz + 1) :: Int
 
--- | How many lattice points the table holds.
+-- | The number of lattice points in the table.
 rememberedPoints :: Remembered -> Int
 rememberedPoints = sizeofPrimArray . rememberedGradients
 
--- | The amplitudes of the levels, coarse to fine.
+-- | The amplitudes of the levels, from coarse to fine.
 rememberedAmplitudes :: Remembered -> [Double]
 rememberedAmplitudes noise =
   [indexPrimArray reals i | i <- [0, realFields .. sizeofPrimArray reals - 1]]
   where
     reals = rememberedReals noise
 
--- | @rememberedPerlin3 noise count place@: the sum over the first @count@
--- levels, coarse to fine, of which the last counts by the fraction of @count@.
--- With all of them the same as 'BlackHole.Noise.PerlinG.perlin3' with the seed
--- and profile, bit for bit. Nothing is allocated.
+-- | @rememberedPerlin3 noise count place@ is the sum over the first @count@ levels,
+-- from coarse to fine; a fractional @count@ weights the last level by its fraction.
+-- With all levels it is bit-identical to 'BlackHole.Noise.PerlinG.perlin3' with this
+-- seed and profile. Allocates nothing.
 rememberedPerlin3 :: Remembered -> Double -> XYZ -> Double
 rememberedPerlin3 (Remembered seed reals boxes gradients) !count place@(XYZ px py pz) =
   case onGrid3 place of
@@ -110,8 +110,8 @@ rememberedPerlin3 (Remembered seed reals boxes gradients) !count place@(XYZ px p
           | otherwise = go (i + 1) (left - 1) (total + (if left >= 1 then amplitude else left * amplitude) * value i)
           where
             amplitude = indexPrimArray reals (realFields * i)
-        -- A call of its own for each level: its strict numbers must not be
-        -- worked out beyond the last one.
+        -- A call of its own for each level, so that its strict numbers are not computed
+        -- beyond the last level.
         value :: Int -> Double
         value !i
           | dx < nx && dy < ny && dz < nz = interpolateGradients3 u v w at
@@ -130,7 +130,7 @@ rememberedPerlin3 (Remembered seed reals boxes gradients) !count place@(XYZ px p
             !nx = field 5
             !ny = field 6
             !nz = field 7
-            -- A line of points is one longer than the line of cells.
+            -- A line of points is one longer than a line of cells.
             !line = fromIntegral (nz + 1) :: Int
             !slice = line * fromIntegral (ny + 1)
             !first = fromIntegral (field 8) + fromIntegral dz + line * fromIntegral dy + slice * fromIntegral dx
@@ -139,14 +139,14 @@ rememberedPerlin3 (Remembered seed reals boxes gradients) !count place@(XYZ px p
                 (indexPrimArray gradients (first + c + (if b == 0 then 0 else line) + (if a == 0 then 0 else slice)))
             {-# INLINE at #-}
 
--- The level is made of its number in here: outside, GHC would prepare the noise of
--- the lowest and of the highest level for every place.
+-- The level is made from its number inside this function. Otherwise GHC would prepare
+-- the noise of the lowest and the highest level at every position.
 hashed :: Seed -> Word64 -> XYZ -> Double
 hashed !seed !number = noise3 seed (clampedLevel (fromIntegral number))
 {-# NOINLINE hashed #-}
 
--- | The cells of one level in a box of space: first index along each axis, how
--- many, and where its points begin in the table.
+-- | The cells of one level in a box of space: the first index and the number of cells
+-- along each axis, and the position of its points in the table.
 data Box = Box
   { _boxLevel :: !Level,
     _boxX :: !Word64,
@@ -162,7 +162,7 @@ boxFields, realFields :: Int
 boxFields = 9
 realFields = 2
 
--- | The box as 'rememberedPerlin3' reads it.
+-- | The box in the form that 'rememberedPerlin3' reads.
 boxNumbers :: Box -> [Word64]
 boxNumbers (Box l x y z nx ny nz offset) =
   [fromIntegral (levelNumber l), lastIndex l, fromMiddle x, fromMiddle y, fromMiddle z, nx, ny, nz, offset]
@@ -172,12 +172,12 @@ boxNumbers (Box l x y z nx ny nz offset) =
 boxPoints :: Box -> Word64
 boxPoints box = (boxCountX box + 1) * (boxCountY box + 1) * (boxCountZ box + 1)
 
--- | 'Nothing' where a coordinate is not finite, or the box is empty or has too
--- many cells to be worth a thought.
+-- | The box of a level between two corners. 'Nothing' if a coordinate is not finite, or
+-- if the box is empty or has too many cells to tabulate.
 boxAt :: Level -> XYZ -> XYZ -> Maybe Box
 boxAt l (XYZ x0 y0 z0) (XYZ x1 y1 z1) = do
-  -- Level 0 has a cell that does not begin at the origin, and places beyond
-  -- level 50 are more than 'floorOf' can take.
+  -- The cell of level 0 does not begin at the origin, and positions beyond level 50
+  -- exceed the range of 'floorOf'.
   guard (l /= minBound && l <= clampedLevel 50)
   Cell3 corner _ _ _ <- cellAround3 l <$> onGrid3 (XYZ x0 y0 z0)
   nx <- count x0 x1
@@ -186,7 +186,7 @@ boxAt l (XYZ x0 y0 z0) (XYZ x1 y1 z1) = do
   pure (Box l (pointX3 corner) (pointY3 corner) (pointZ3 corner) nx ny nz 0)
   where
     cellsAround = cellsPerUnit l * circumference
-    -- The cells touched, one more in case both ends lie within cells.
+    -- The cells touched, plus one in case both ends lie within cells.
     count a b
       | cells >= 0 && cells < 1e6 = Just (truncate (min cellsAround (cells + 2)))
       | otherwise = Nothing

@@ -1,16 +1,15 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | Noise for thin things: gradient noise in the plane whose octaves are
--- tilted against each other in the third dimension.
+-- | Noise for thin layers: gradient noise in the plane whose octaves are tilted against
+-- each other in the third dimension.
 --
--- Each octave is plane noise ("BlackHole.Noise.PerlinG"), drawn out along its own
--- slanted direction, so that no two heights look alike and yet a value costs
--- half the corners of noise in space. The plane closes round its first
--- coordinate: that is the angle of a disk. Everything repeats in the second one
--- after 'sheetsHeight'.
+-- Each octave is plane noise ("BlackHole.Noise.PerlinG"), extended along its own
+-- slanted direction. No two heights look alike, and yet a value needs half the corners
+-- of noise in space. The plane is periodic in its first coordinate, which is the angle
+-- around a disk, and repeats in the second one after 'sheetsHeight'.
 --
--- All lattice points there are fit into a few kilobytes, so each gradient is
--- hashed once and none ever again.
+-- The gradients of all lattice points fit into a few kilobytes, so each is hashed only
+-- once.
 module BlackHole.Noise.Sheets
   ( Sheets,
     sheets,
@@ -27,17 +26,17 @@ import Data.Bits (unsafeShiftL, (.&.))
 import Data.Primitive.PrimArray
 import Data.Word (Word8)
 
--- | Some octaves of noise.
+-- | Several octaves of noise.
 data Sheets = Sheets
-  { -- | For each octave: amplitude, and the tilt along both coordinates.
+  { -- | For each octave the amplitude, and the tilt along both coordinates.
     sheetsReals :: !(PrimArray Double),
-    -- | Gradient numbers of all octaves, coarse to fine, row by row.
+    -- | Gradient numbers of all octaves, from coarse to fine, row by row.
     sheetsGradients :: !(PrimArray Word8)
   }
 
--- | @sheets seed count gain@: noise with eight cells around in the coarsest
--- octave. Each of the @count@ octaves (0 … 8) is twice as fine as the one
--- before and @gain@ times as strong; the amplitudes' moduli add up to 1.
+-- | @sheets seed count gain@ is noise whose coarsest octave has eight cells around.
+-- Each of the @count@ octaves (0 to 8) is twice as fine and @gain@ times as strong as
+-- the previous one; the moduli of the amplitudes add up to 1.
 sheets :: Seed -> Int -> Double -> Sheets
 sheets seed count gain =
   Sheets
@@ -48,7 +47,7 @@ sheets seed count gain =
     octaveCount = max 0 (min 8 count)
     amplitudes = take octaveCount (iterate (* gain) 1)
     total = max 1e-300 (sum (map abs amplitudes))
-    -- The golden angle apart: no two directions come close.
+    -- Multiples of the golden angle, so that no two directions come close.
     tilts = iterate (+ 2.399963229728653) 0.7
     octave i =
       [ fromIntegral (gradientNumber2 (latticeHash2 seed (latticePoint2 (clampedLevel (rowBits + i)) x y)))
@@ -56,26 +55,26 @@ sheets seed count gain =
           x <- [0 .. 2 ^ (columnBits + i) - 1]
       ]
 
--- | Cells of the coarsest octave: 2^3 around, 2^5 along the second coordinate.
+-- | Cells of the coarsest octave: 2^3 around, and 2^5 along the second coordinate.
 columnBits, rowBits :: Int
 columnBits = 3
 rowBits = 5
 
--- | After this many cells of the coarsest octave along the second coordinate
+-- | The number of cells of the coarsest octave along the second coordinate after which
 -- the noise repeats.
 sheetsHeight :: Double
 sheetsHeight = 2 ^ rowBits
 
--- | The amplitudes, coarse to fine.
+-- | The amplitudes, from coarse to fine.
 sheetsAmplitudes :: Sheets -> [Double]
 sheetsAmplitudes noise = [indexPrimArray reals i | i <- [0, 3 .. sizeofPrimArray reals - 1]]
   where
     reals = sheetsReals noise
 
--- | @sheetsValue noise count turns v height@: the noise at an angle in turns
--- (−1 … 1), a second coordinate and a height, both in cells of the coarsest
--- octave and within ±2^40. Only the first @count@ octaves count, the last of
--- them by the fraction of @count@. Nothing is allocated.
+-- | @sheetsValue noise count turns v height@ is the noise at an angle in turns (−1 to
+-- 1), a second coordinate and a height, both in cells of the coarsest octave and within
+-- ±2^40. Only the first @count@ octaves contribute; a fractional @count@ weights the
+-- last one by its fraction. Allocates nothing.
 sheetsValue :: Sheets -> Double -> Double -> Double -> Double -> Double
 sheetsValue (Sheets reals gradients) !count !turns !v !height = go 0 count 0 1 0
   where
@@ -94,7 +93,7 @@ sheetsValue (Sheets reals gradients) !count !turns !v !height = go 0 count 0 1 0
          in go (i + 1) (left - 1) (first + 1 `unsafeShiftL` (columns + rows)) (2 * scale) $
               total + weight * layer gradients first columns rows (scale * (u + tiltU * height)) (scale * (v + tiltV * height))
 
--- | One octave at a place given in its own cells.
+-- | One octave at a position given in its own cells.
 layer :: PrimArray Word8 -> Int -> Int -> Int -> Double -> Double -> Double
 layer gradients !first !columns !rows !x !y =
   interpolateGradients2 fx fy at

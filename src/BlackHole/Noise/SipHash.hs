@@ -1,13 +1,13 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | SipHash-2-4: a keyed hash of 64 bits whose values cannot be told from
+-- | SipHash-2-4: a keyed hash of 64 bits whose values cannot be distinguished from
 -- random ones without the key (Aumasson and Bernstein 2012, "SipHash: a fast
--- short-input PRF"). The noise takes its random values from it, with the
--- seed as the key (report, "Texture Generation").
+-- short-input PRF").
 --
--- 'sipHash' takes any byte string. 'sipHash2' and 'sipHash3' take a few
--- 64-bit words, allocate nothing, and give the value that 'sipHash' gives
--- for the words' bytes, least significant byte first.
+-- The noise takes its random values from it, with the seed as the key (Will Yager,
+-- "Accurately Rendering a Black Hole", section "Texture Generation"). 'sipHash' takes
+-- any byte string. 'sipHash2' and 'sipHash3' take a few 64-bit words, allocate nothing,
+-- and return the value of 'sipHash' for the words' bytes in little-endian order.
 module BlackHole.Noise.SipHash
   ( SipKey (..),
     sipHash,
@@ -24,12 +24,12 @@ import qualified Data.ByteString as Bytes
 import Data.ByteString.Unsafe (unsafeIndex)
 import Data.Word (Word64)
 
--- | The key of 128 bits: the first eight and the last eight of its bytes,
--- each half read least significant byte first.
+-- | The 128-bit key: the first eight and the last eight of its bytes, each half read in
+-- little-endian order.
 data SipKey = SipKey {-# UNPACK #-} !Word64 {-# UNPACK #-} !Word64
   deriving (Eq, Ord, Show)
 
--- | A hash that is not finished: the four words v0 … v3 that the algorithm stirs.
+-- | The state of an unfinished hash: the algorithm's four words v0 to v3.
 data SipState
   = SipState
       {-# UNPACK #-} !Word64
@@ -37,7 +37,7 @@ data SipState
       {-# UNPACK #-} !Word64
       {-# UNPACK #-} !Word64
 
--- | The hash of a byte string of any length. Linear in the length.
+-- | The hash of a byte string of any length, in time linear in the length.
 sipHash :: SipKey -> Bytes.ByteString -> Word64
 sipHash key bytes = go 0 (initial key)
   where
@@ -47,7 +47,7 @@ sipHash key bytes = go 0 (initial key)
       | otherwise = finish (lengthByte .|. word start (len - start)) state
     -- The last block ends with the length modulo 256.
     lengthByte = fromIntegral len `unsafeShiftL` 56
-    -- The bytes from start, fewer than nine and inside the string.
+    -- The bytes from start: fewer than nine, and inside the string.
     word start count = gather 0 0
       where
         gather !i !acc
@@ -55,22 +55,22 @@ sipHash key bytes = go 0 (initial key)
           | otherwise = gather (i + 1) (acc .|. (byteAt (start + i) `unsafeShiftL` (8 * i)))
     byteAt i = fromIntegral (unsafeIndex bytes i) :: Word64
 
--- | The hash of two words: of 16 bytes.
+-- | The hash of two words, which are 16 bytes.
 sipHash2 :: SipKey -> Word64 -> Word64 -> Word64
 sipHash2 key a b =
   finish (16 `unsafeShiftL` 56) (sipAfter2 key a b)
 
--- | The hash of three words: of 24 bytes.
+-- | The hash of three words, which are 24 bytes.
 sipHash3 :: SipKey -> Word64 -> Word64 -> Word64 -> Word64
 sipHash3 key a b = third (sipAfter2 key a b)
 
--- | What 'sipHash3' has made of the key and the first two words: a third of its work,
--- to be done once for many third words.
+-- | The state of 'sipHash3' after the key and the first two words. This is a third of
+-- its work, and one state serves many third words.
 sipAfter2 :: SipKey -> Word64 -> Word64 -> SipState
 sipAfter2 key a b = absorb b (absorb a (initial key))
 {-# INLINE sipAfter2 #-}
 
--- | The hash after the third word: @sipThird ('sipAfter2' key a b) c@ is
+-- | The hash after the third word: @sipThird ('sipAfter2' key a b) c@ equals
 -- @'sipHash3' key a b c@.
 sipThird :: SipState -> Word64 -> Word64
 sipThird = third
@@ -91,14 +91,14 @@ initial (SipKey k0 k1) =
     (k1 `xor` 0x7465646279746573)
 {-# INLINE initial #-}
 
--- | Mix in one word of the message: two rounds.
+-- | Mixes in one word of the message, with two rounds.
 absorb :: Word64 -> SipState -> SipState
 absorb m (SipState v0 v1 v2 v3) =
   case sipRound (sipRound (SipState v0 v1 v2 (v3 `xor` m))) of
     SipState w0 w1 w2 w3 -> SipState (w0 `xor` m) w1 w2 w3
 {-# INLINE absorb #-}
 
--- | Mix in the last word, then four more rounds.
+-- | Mixes in the last word and runs four more rounds.
 finish :: Word64 -> SipState -> Word64
 finish lastWord state =
   case absorb lastWord state of
@@ -120,7 +120,7 @@ sipRound (SipState v0 v1 v2 v3) =
    in SipState b0 b1 (rotated 32 b2) b3
 {-# INLINE sipRound #-}
 
--- | Rotation to the left by 1 … 63 bits.
+-- | Rotation to the left by 1 to 63 bits.
 rotated :: Int -> Word64 -> Word64
 rotated n x = (x `unsafeShiftL` n) .|. (x `unsafeShiftR` (64 - n))
 {-# INLINE rotated #-}

@@ -1,13 +1,12 @@
 {-# LANGUAGE BangPatterns #-}
--- Places and their neighbours stay on the stack.
+-- Positions and their neighbours stay on the stack.
 {-# OPTIONS_GHC -fmax-worker-args=32 #-}
 
--- | Noise in space where it rises above a threshold, as rare things are scattered:
--- most places are dismissed before most of their lattice points are hashed.
+-- | Noise in space above a threshold, for sparsely scattered objects such as stars:
+-- most positions are rejected before most of their lattice points have been hashed.
 --
--- A corner of a cell contributes at most its weight times its distance. So a few
--- numbers say beforehand how much the corners that are not hashed yet, and the
--- finer levels, can still add.
+-- A corner of a cell contributes at most its weight times its distance. A few numbers
+-- therefore bound what the corners not yet hashed, and the finer levels, can still add.
 module BlackHole.Noise.Threshold
   ( perlin3Above,
     cellReach3,
@@ -24,9 +23,9 @@ import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Primitive.PrimArray
 import GHC.Float (double2Float, float2Double)
 
--- | @perlin3Above seed profile least place@: 'perlin3', to the last bit, where it
--- is at least @least@, 'Nothing' elsewhere. Bind the result of the first two
--- arguments to work out once what they determine.
+-- | @perlin3Above seed profile least place@ is 'perlin3', to the last bit, where it is
+-- at least @least@, and 'Nothing' elsewhere. Bind the result of the first two arguments
+-- to compute only once what depends on them alone.
 perlin3Above :: Seed -> Profile -> Double -> XYZ -> Maybe Double
 perlin3Above seed p
   | count > 0 && all (\l -> levelNumber l >= 1 && levelNumber l <= 50) named = above
@@ -40,10 +39,10 @@ perlin3Above seed p
 
     above !least v = case onGrid3 v of
       Nothing -> if 0 >= least then Just 0 else Nothing
-      -- The margin is for the rounding of the sums.
+      -- The margin allows for the rounding of the sums.
       Just place -> bounded least place 0 1e-9
 
-    -- What all levels can add up to at the place.
+    -- The bound on the sum of all levels at this position.
     bounded :: Double -> GridPlace3 -> Int -> Double -> Maybe Double
     bounded !least place !i !bound
       | i < count = bounded least place (i + 1) (bound + reach i (nearestIn place i))
@@ -52,10 +51,10 @@ perlin3Above seed p
         let !corner = nearestIn place 0
          in screened least place bound 0 corner (bound - loss 0 corner Here Here Here)
 
-    -- The corners that can contribute most are looked at, each of which lowers the
-    -- bound: the nearest one of each level and, after that of the next level, the
-    -- three beside it. (The nearest of the first level has been looked at.) The other
-    -- four are left to 'summed': few places get there.
+    -- Hashes the corners that can contribute most, each of which lowers the bound: the
+    -- nearest one of each level and then, before the next level, the three beside it.
+    -- (The nearest corner of the first level has been hashed already.) The other four
+    -- are left to 'summed', because few positions get there.
     screened :: Double -> GridPlace3 -> Double -> Int -> Nearest3 -> Double -> Maybe Double
     screened !least place !whole !i corner !bound
       | bound < least = Nothing
@@ -75,7 +74,7 @@ perlin3Above seed p
             bound2 = bound1 - loss i corner Here Beyond Here
         {-# INLINE beside #-}
 
-    -- By how much the gradient of a corner falls short of the best one.
+    -- By how much the gradient of a corner falls short of the best possible one.
     loss :: Int -> Nearest3 -> Side -> Side -> Side -> Double
     loss !i (Nearest3 x y z) a b c =
       weight * (abs amplitude * XYZ.norm offset - amplitude * XYZ.dot (numberedGradient3 number) offset)
@@ -86,7 +85,8 @@ perlin3Above seed p
         !weight = noiseScale3 * (weightOf a x * weightOf b y * weightOf c z)
     {-# INLINE loss #-}
 
-    -- The sum of the levels before this one, and what it and the others can add.
+    -- The sum of the levels before this one, and the bound on what this one and the
+    -- others can add.
     summed :: Double -> GridPlace3 -> Int -> Double -> Double -> Maybe Double
     summed !least place@(GridPlace3 px py pz) !i !total !others
       | total + others < least = Nothing
@@ -107,8 +107,8 @@ perlin3Above seed p
         !edge = indexPrimArray edges i
     {-# INLINE nearestIn #-}
 
--- | The gradient's number at a lattice point, from the level's number and the point's
--- distances from the origin of space in cells.
+-- | The number of the gradient at a lattice point, from the level's number and the
+-- point's distances from the origin of space in cells.
 numberAt :: Seed -> Int -> Double -> Double -> Double -> Int
 numberAt !seed !number !x !y !z = gradientNumber3 (latticeHash3 seed (latticePoint3 l (index x) (index y) (index z)))
   where
@@ -120,27 +120,28 @@ noiseOf :: Seed -> Int -> XYZ -> Double
 noiseOf seed number = noise3 seed (clampedLevel number)
 {-# NOINLINE noiseOf #-}
 
--- | The lattice point nearest to a place along one axis, in cells from the origin of
--- space, and how far beyond it the place is, −1\/2 … 1\/2.
+-- | The lattice point nearest to a position along one axis, in cells from the origin of
+-- space, and the offset of the position from it, −1\/2 to 1\/2.
 data Nearest = Nearest {-# UNPACK #-} !Double {-# UNPACK #-} !Double
 
--- | Along all axes.
+-- | The nearest points along all three axes.
 data Nearest3 = Nearest3 {-# UNPACK #-} !Nearest {-# UNPACK #-} !Nearest {-# UNPACK #-} !Nearest
 
--- | That lattice point, or the one beyond the place.
+-- | The nearest lattice point, or the one on the other side of the position.
 data Side = Here | Beyond
 
--- Half of all places are on either side of a lattice point, which no processor can
--- guess: what follows has no branches.
+-- Half of all positions lie on either side of a lattice point, which defeats branch
+-- prediction, so the following functions have no branches.
 
--- | Of a number within ±2^50.
+-- | The nearest lattice point of a coordinate within ±2^50.
 nearest :: Double -> Nearest
 nearest scaled = Nearest (scaled - rest) rest
   where
     !rest = turnFraction scaled
 {-# INLINE nearest #-}
 
--- | From the nearest point to the place and on to the next: 1 or −1.
+-- | The direction from the nearest point through the position to the next point: 1 or
+-- −1.
 direction :: Nearest -> Double
 direction (Nearest point rest) = 1 + 2 * (below - point)
   where
@@ -157,20 +158,20 @@ pointOf Here (Nearest point _) = point
 pointOf Beyond along@(Nearest point _) = point + direction along
 {-# INLINE pointOf #-}
 
--- | From that point to the place.
+-- | The offset of the position from that point.
 offsetOf :: Side -> Nearest -> Double
 offsetOf Here (Nearest _ rest) = rest
 offsetOf Beyond along@(Nearest _ rest) = rest - direction along
 {-# INLINE offsetOf #-}
 
--- | What that point counts at the place.
+-- | The weight of that point at the position.
 weightOf :: Side -> Nearest -> Double
 weightOf Here = (1 -) . fade . distance
 weightOf Beyond = fade . distance
 {-# INLINE weightOf #-}
 
--- | The most that 'noise3' can be in modulus at a place of a cell (each fraction
--- 0 … 1), whatever the gradients.
+-- | An upper bound on the modulus of 'noise3' at a position in a cell (each fraction 0
+-- to 1), for any gradients.
 cellReach3 :: Double -> Double -> Double -> Double
 cellReach3 x y z =
   noiseScale3
@@ -183,20 +184,21 @@ cellReach3 x y z =
   where
     sides t = [(1 - fade t, t), (fade t, 1 - t)]
 
--- | Little more than 'cellReach3', from a table, by the distances to the nearest
--- borders, 0 … 1\/2. It grows towards the cell's middle, so that a field of the
--- table has it at its innermost corner.
+-- | A slightly larger bound than 'cellReach3', from a table indexed by the distances to
+-- the nearest borders, 0 to 1\/2. The bound grows towards the cell's middle, so each
+-- field of the table holds the value at its innermost corner.
 tabulatedReach3 :: Double -> Double -> Double -> Double
 tabulatedReach3 x y z = float2Double (indexPrimArray reaches (field x + reachFields * (field y + reachFields * field z)))
   where
     field t = truncate (t * fromIntegral (2 * (reachFields - 1)))
 {-# INLINE tabulatedReach3 #-}
 
--- | Fields of the table from a cell's border to its middle, which has one of its own.
+-- | The number of fields of the table from a cell's border to its middle, which has a
+-- field of its own.
 reachFields :: Int
 reachFields = 17
 
--- | In half the memory of doubles, and rounded up.
+-- | Rounded up, in single precision to halve the memory.
 reaches :: PrimArray Float
 reaches = primArrayFromList [double2Float (1.000001 * cellReach3 (inner i) (inner j) (inner k)) | k <- fields, j <- fields, i <- fields]
   where

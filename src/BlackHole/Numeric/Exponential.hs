@@ -1,10 +1,9 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | The exponential and the sine of the inner loops.
+-- | Exponential and sine for the inner loops.
 --
--- A call of the C library's costs less than its arithmetic would suggest and
--- more than it should: everything that is in registers has to be put aside for
--- it. These stay in line.
+-- A call of the C library's functions forces everything that is in registers into
+-- memory. These functions are inlined instead.
 module BlackHole.Numeric.Exponential
   ( exponential,
     sineOfTurns,
@@ -23,13 +22,13 @@ exponential x =
     * (1 + rest * (1 + rest * (1 / 2 + rest * (1 / 6 + rest * (1 / 24)))))
   where
     !clamped = max (-600) (min 600 x)
-    -- Adding and subtracting 3·2^51 rounds to whole numbers.
+    -- Adding and subtracting 3·2^51 rounds to an integer.
     !whole = (clamped * 46.16624130844683 + 6755399441055744) - 6755399441055744
     !rest = clamped - whole * 0.021660849392498290
     !k = truncate whole + 32 * lowestPower
 {-# INLINE exponential #-}
 
--- | 2^e from e = −900 to 900.
+-- | 2^e for e = −900 to 900.
 powers :: PrimArray Double
 powers = primArrayFromList [2 ^^ (e - lowestPower) | e <- [0 .. 2 * lowestPower]]
 {-# NOINLINE powers #-}
@@ -47,7 +46,7 @@ sineOfTurns :: Double -> Double
 sineOfTurns t = if turn < 0 then negate value else value
   where
     !turn = turnFraction t
-    -- The same sine in the first quarter, in radians.
+    -- The sine of the corresponding angle in the first quarter, in radians.
     !x = 6.283185307179586 * (0.25 - abs (abs turn - 0.25))
     !x2 = x * x
     !value =

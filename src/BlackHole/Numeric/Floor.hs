@@ -1,4 +1,4 @@
--- | Whole and fractional part, for the inner loops.
+-- | Integer and fractional parts for the inner loops.
 module BlackHole.Numeric.Floor
   ( Floor (..),
     floorOf,
@@ -6,19 +6,19 @@ module BlackHole.Numeric.Floor
   )
 where
 
--- | A whole number and how far beyond it a number lies, 0 … 1.
+-- | An integer, and the distance from it to a number above it, 0 to 1.
 data Floor = Floor {-# UNPACK #-} !Int {-# UNPACK #-} !Double
 
--- | The whole part of a number within ±2^51 and the rest. An odd whole number
--- itself comes out as the one below it and the rest 1.
+-- | The integer part of a number within ±2^51, and the rest. An odd integer itself
+-- yields the integer below it and the rest 1.
 --
--- Adding and subtracting 3·2^51 rounds to whole numbers. That is several times
--- faster than @truncate@ and @fromIntegral@: the processor's conversion from
--- integer waits for whatever used its target register last, which chains
--- together computations that have nothing to do with each other.
+-- Adding and subtracting 3·2^51 rounds to an integer. This is several times as fast as
+-- @truncate@ and @fromIntegral@: the processor's conversion from integers waits for the
+-- last instruction that used its target register, which chains together unrelated
+-- computations.
 floorOf :: Double -> Floor
 floorOf x
-  -- Numbers so close below a whole one that the half swallows the difference.
+  -- Numbers so close below an integer that adding the half loses the difference.
   | rest < 0 = Floor (truncate whole - 1) (rest + 1)
   | otherwise = Floor (truncate whole) rest
   where
@@ -26,7 +26,7 @@ floorOf x
     whole = ((x - 0.5) + 6755399441055744) - 6755399441055744
 {-# INLINE floorOf #-}
 
--- | An angle in turns, within ±2^51, brought to −1\/2 … 1\/2.
+-- | An angle in turns, within ±2^51, reduced to the range −1\/2 to 1\/2.
 turnFraction :: Double -> Double
 turnFraction x = x - ((x + 6755399441055744) - 6755399441055744)
 {-# INLINE turnFraction #-}

@@ -1,10 +1,11 @@
--- | Values that processors with nothing else to do may work out.
+-- | Values that idle processors may evaluate ahead of time.
 module BlackHole.Numeric.Parallel (inParallel) where
 
 import GHC.Conc (par, pseq)
 
--- | The same list. When it is asked for, all of its members begin to be evaluated,
--- to their outermost constructors, by whatever processors are idle: from the end on,
--- while who asked goes through them from the beginning, lest both work on one.
+-- | Returns the list unchanged. When the caller first demands it, idle processors start
+-- to evaluate its elements to weak head normal form, beginning at the end of the list.
+-- The caller meanwhile proceeds from the beginning, so the two rarely work on one
+-- element.
 inParallel :: [a] -> [a]
 inParallel xs = foldr par () (reverse xs) `pseq` xs

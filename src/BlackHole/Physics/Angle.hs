@@ -1,5 +1,5 @@
--- | Angles with their unit in the type: degrees at the command line and in
--- scene files, radians everywhere else.
+-- | Angles whose unit is part of their type. The command line and scene files use
+-- degrees; everything else uses radians.
 module BlackHole.Physics.Angle
   ( Degrees (..),
     Radians (..),
@@ -17,17 +17,18 @@ newtype Degrees = Degrees {inDegrees :: Double}
 newtype Radians = Radians {inRadians :: Double}
   deriving (Eq, Ord, Show)
 
--- | The same angle in radians.
+-- | Converts degrees to radians.
 toRadians :: Degrees -> Radians
 toRadians (Degrees d) = Radians (d * pi / 180)
 
--- | The same angle in degrees.
+-- | Converts radians to degrees.
 toDegrees :: Radians -> Degrees
 toDegrees (Radians r) = Degrees (r * 180 / pi)
 
--- | @arcTangent2 y x@: the same angle as @atan2 y x@, which in GHC's library
--- takes several times as long for its care about signed zeros and infinities; 0
--- for two zeros.
+-- | @arcTangent2 y x@ is the angle of the point @(x, y)@ in radians, from −π to π,
+-- equal to @atan2 y x@ except that signed zeros and infinities get no special
+-- treatment; it is 0 for two zeros. GHC's @atan2@ handles those cases and takes several
+-- times as long.
 arcTangent2 :: Double -> Double -> Double
 arcTangent2 y x
   | x > 0 = atan (y / x)

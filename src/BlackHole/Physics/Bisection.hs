@@ -1,15 +1,15 @@
--- | Finding where something changes.
+-- | Bisection of an interval.
 module BlackHole.Physics.Bisection
   ( bisect,
   )
 where
 
--- | @bisect holds low high@: the greatest number in between at which a
--- condition still holds that holds at the lower end and stops to hold
--- somewhere before the upper one. About sixty trials.
+-- | @bisect holds low high@ returns the greatest number between @low@ and @high@ at
+-- which the condition still holds. The condition must hold at @low@ and stop holding
+-- once before @high@. Takes about sixty evaluations.
 bisect :: (Double -> Bool) -> Double -> Double -> Double
 bisect holds low high
-  -- Also true for what is no number.
+  -- Negated so that NaN ends the search as well.
   | not (middle > low && middle < high) = low
   | holds middle = bisect holds middle high
   | otherwise = bisect holds low middle

@@ -1,11 +1,11 @@
--- | Whole light paths laid out in space, in closed form: where they run, where
--- they cross the disk's plane and how gas there is shifted, for light from
--- infinity and for the line of sight of a camera at rest.
+-- | Complete light paths in space, in closed form: their points, and their crossings of
+-- the disk's plane with the redshift of gas there. Paths start at infinity or at a
+-- camera at rest.
 --
--- A path lies in the plane of two unit vectors, the direction of its start and
--- the direction in which it leaves that one; after the swept angle φ it is at
--- @r(φ) (cos φ e₁ + sin φ e₂)@, with @r(φ)@ from "BlackHole.Physics.Orbit".
--- Paths are followed from the observer, against the light.
+-- A path lies in the plane of two orthogonal unit vectors, the direction e₁ of its
+-- start and the direction e₂ towards which it moves from there. After the swept angle φ
+-- it is at @r(φ) (cos φ e₁ + sin φ e₂)@, with @r(φ)@ from "BlackHole.Physics.Orbit".
+-- Paths run from the observer outwards, against the light.
 module BlackHole.Physics.Course
   ( -- * Paths
     Course,
@@ -45,46 +45,46 @@ import Data.Maybe (fromMaybe, mapMaybe)
 
 -- | A light path from its start to its end.
 data Course = Course
-  { -- | e₁, unit length.
+  { -- | e₁, of unit length.
     courseOutset :: !XYZ,
-    -- | e₂, unit length, perpendicular to e₁.
+    -- | e₂, of unit length and perpendicular to e₁.
     courseOnward :: !XYZ,
-    -- | Where the path ends, and the angle (radians) swept from the start up
-    -- to there: to infinity or to the horizon.
+    -- | Where the path ends, and the angle in radians swept from the start to infinity
+    -- or to the horizon.
     courseFate :: !OrbitFate,
     -- | In Schwarzschild radii; 0 for a radial path, which sweeps no angle.
     courseImpactParameter :: !Double,
-    -- | The closest point, where the path turns from inward to outward.
+    -- | Radius at which the path turns from inward to outward; 'Nothing' if it never
+    -- does.
     courseClosestApproach :: !(Maybe Double),
-    -- | Radians swept beyond what a straight line in the same direction would
-    -- have swept, π from infinity and π − ψ from a camera; 'Nothing' for a path
-    -- that ends in the hole. For light from infinity this is the angle by
-    -- which it is turned.
+    -- | Radians swept beyond the angle of a straight line in the same direction, which
+    -- is π from infinity and π − ψ from a camera; 'Nothing' for a path that ends in the
+    -- hole. For light from infinity this is the deflection.
     courseDeflection :: !(Maybe Double),
     -- | Radius of the start; 'Nothing' for infinity.
     courseStartRadius :: !(Maybe Double),
-    -- | Swept angle of the closest or farthest point after the start.
+    -- | Swept angle of the turning point after the start, if there is one.
     courseTurn :: !(Maybe Double),
-    -- | Frequency at the observer over that at infinity.
+    -- | Frequency at the observer over the frequency at infinity.
     courseObserved :: !Double,
-    -- | @1\/r@ and its slope by swept angle.
+    -- | @1\/r@ and its derivative as functions of the swept angle.
     courseInverse :: Double -> (Double, Double)
   }
 
--- | From where in relation to the disk somebody looks, and in which direction
--- around the hole's centre.
+-- | The observer's position relative to the disk, and the direction of the line of
+-- sight around the hole's centre.
 data Sight = Sight
-  { -- | Angle of the observer's place from the disk's axis @+y@. His place is
-    -- @r (0, cos i, sin i)@ and @+x@ is to his right.
+  { -- | Angle i between the disk's axis @+y@ and the observer, who stands at @r (0, cos
+    -- i, sin i)@ with @+x@ to the right.
     sightInclination :: !Radians,
-    -- | Position angle of the line of sight about the hole's centre in the
-    -- picture, from right towards up.
+    -- | Position angle of the line of sight about the hole's centre, from screen-right
+    -- towards screen-up.
     sightPositionAngle :: !Radians
   }
   deriving (Eq, Show)
 
--- | e₁ and e₂ of a line of sight. What a right angle leaves over by rounding
--- is taken off, so that a place in the disk's plane is exactly there.
+-- | e₁ and e₂ of a line of sight. Rounding errors of right angles are removed, so that
+-- an observer in the disk's plane is exactly in it.
 sightPlane :: Sight -> (XYZ, XYZ)
 sightPlane (Sight (Radians i) (Radians eta)) =
   (XYZ 0 (cosine i) (sine i), cosine eta *^ right ^+^ sine eta *^ up)
@@ -94,20 +94,20 @@ sightPlane (Sight (Radians i) (Radians eta)) =
     cosine = withoutRounding . cos
     sine = withoutRounding . sin
 
--- | A sine or cosine that is zero but for rounding.
+-- | Replaces a sine or cosine that is zero up to rounding by 0.
 withoutRounding :: Double -> Double
 withoutRounding v = if abs v < 4e-16 then 0 else v
 
--- | The line of sight of a far observer at rest that passes the hole at an
--- impact parameter (at least 0, Schwarzschild radii): equally, light from
+-- | The line of sight of a distant observer at rest that passes the hole at an impact
+-- parameter of at least 0, in Schwarzschild radii. This is also the path of light from
 -- infinity.
 --
--- For the two or three numbers next to @3√3\/2@ that no formula can tell from
--- it, the shape of a captured path is that of the next smaller number.
+-- Two or three 'Double's next to @3√3\/2@ cannot be told from it by any formula. They
+-- get the shape of the captured path of the next smaller number.
 courseFromInfinity :: Sight -> Double -> Course
 courseFromInfinity sight b = case (closestApproach b, deflectionAngle b) of
   (Just nearest, Just deflection) ->
-    -- The path is its own mirror image about the closest point.
+    -- The path is symmetric about its closest point.
     let half = orbit nearest 0 1
         sweep = pi + deflection
         inverse angle =
@@ -122,7 +122,7 @@ courseFromInfinity sight b = case (closestApproach b, deflectionAngle b) of
             courseInverse = inverse
           }
   _ ->
-    -- Backwards from the horizon, where the slope is exactly 1/b.
+    -- Run backwards from the horizon, where the slope is exactly 1/b.
     let outgoing = orbit 1 1 (min b 2.598076211353314)
         sweep = case orbitFate outgoing of
           Escapes angle -> angle
@@ -147,18 +147,18 @@ courseFromInfinity sight b = case (closestApproach b, deflectionAngle b) of
           courseInverse = const (0, 0)
         }
 
--- | @courseFromCamera sight r ψ@: the line of sight of an observer at rest at
--- the radius @r@ at the angle ψ in [0, π] from the direction of the hole's
--- centre. 'Nothing' at and inside the horizon.
+-- | @courseFromCamera sight r ψ@ is the line of sight of an observer at rest at radius
+-- @r@, at the angle ψ in [0, π] from the direction of the hole's centre. 'Nothing' at
+-- and inside the horizon.
 courseFromCamera :: Sight -> Double -> Radians -> Maybe Course
 courseFromCamera sight r (Radians psi) = do
   observed <- staticObserver r
   let path = orbit r (negate (withoutRounding (cos psi)) * sqrt ((r - 1) / r)) (sin (min psi (pi - psi)))
   pure (alongOrbit observed (sightPlane sight) r (pi - psi) path)
 
--- | The rest of a photon's path from where it is, for light that an observer
--- of the given frequency (over that at infinity) receives. Its deflection
--- counts from the present pseudo-velocity.
+-- | The rest of a photon's path from its present position. The first argument is the
+-- observed frequency over the frequency at infinity. The deflection counts from the
+-- present pseudo-velocity.
 courseFromPhoton :: Double -> Photon -> Course
 courseFromPhoton observed (Photon place velocity) =
   alongOrbit observed (e1, e2) r (atan2 tangential radial) (orbit r radial tangential)
@@ -168,10 +168,10 @@ courseFromPhoton observed (Photon place velocity) =
     radial = XYZ.dot velocity e1
     across = velocity ^-^ radial *^ e1
     tangential = XYZ.norm across
-    -- A radial path sweeps no angle, and any direction serves.
+    -- A radial path sweeps no angle, so any direction serves.
     e2 = fromMaybe (XYZ 1 0 0) (XYZ.normalize across)
 
--- | A path from its starting radius; the fourth argument is what a straight
+-- | A path from its starting radius. The fourth argument is the angle that a straight
 -- line would sweep.
 alongOrbit :: Double -> (XYZ, XYZ) -> Double -> Double -> Orbit -> Course
 alongOrbit observed (e1, e2) r straight path =
@@ -190,11 +190,11 @@ alongOrbit observed (e1, e2) r straight path =
       courseInverse = orbitInverseRadiusAndSlope path
     }
 
--- | A point of a path.
+-- | A point on a path.
 data CoursePoint = CoursePoint
-  { -- | Radians swept from the start of the path.
+  { -- | Angle in radians swept from the start of the path.
     pointSweptAngle :: !Double,
-    -- | Its place, and the pseudo-velocity there for unit energy at infinity.
+    -- | Position, and pseudo-velocity for unit energy at infinity.
     pointPhoton :: !Photon
   }
   deriving (Eq, Show)
@@ -211,12 +211,12 @@ pointAt course angle =
     outward = c *^ courseOutset course ^+^ s *^ courseOnward course
     onward = c *^ courseOnward course ^-^ s *^ courseOutset course
 
--- | @coursePoints farthest step course@: points along the part of the path
--- within a radius (or within the start's, if that is greater), from one end of
--- it to the other, no farther apart than a fraction of their radius. Empty if
--- the path stays outside; a path that never ends is followed for four turns.
--- Linear in the number of points, about @ln (farthest) \/ step@ and @2π \/ step@
--- per turn, and never above 100 000.
+-- | @coursePoints farthest step course@ returns points along the part of the path
+-- within the radius @farthest@ (or within the start's radius, if that is greater), from
+-- one end to the other. Neighbouring points are at most @step@ times their radius
+-- apart. The list is empty if the path stays outside. A path that never ends is
+-- followed for four turns. The number of points is about @ln (farthest) \/ step@ plus
+-- @2π \/ step@ per turn, and at most 100 000; the cost is linear in it.
 coursePoints :: Double -> Double -> Course -> [CoursePoint]
 coursePoints farthest step course
   | courseImpactParameter course == 0 = radialPoints
@@ -252,8 +252,8 @@ coursePoints farthest step course
       let n = max 1 (ceiling (log (high / low) / step)) :: Int
        in [low * (high / low) ** (fromIntegral k / fromIntegral n) | k <- [0 .. n]]
 
--- | Where a path begins or, if that is at infinity, where it first comes within
--- a radius. 'Nothing' for a path from infinity that never does.
+-- | The start of a path or, if that is at infinity, the point where the path first
+-- comes within the given radius. 'Nothing' for a path from infinity that never does.
 courseEntry :: Double -> Course -> Maybe CoursePoint
 courseEntry limit course = case (courseStartRadius course, courseImpactParameter course == 0) of
   (Just r, True) -> Just (radial r)
@@ -267,7 +267,7 @@ courseEntry limit course = case (courseStartRadius course, courseImpactParameter
       Escapes _ -> 1
       _ -> -1
 
--- | The swept angle at which a path from infinity comes within a radius.
+-- | The swept angle at which a path from infinity first comes within a radius.
 entryAngle :: Double -> Course -> Maybe Double
 entryAngle limit course
   | within inmost = Just (bisect (not . within) 0 inmost)
@@ -276,26 +276,26 @@ entryAngle limit course
     within angle = fst (courseInverse course angle) * limit >= 1
     inmost = fromMaybe (endAngle course) (courseTurn course)
 
--- | Of a path without end, four turns count.
+-- | The swept angle of the end; for a path without end, that of four turns.
 endAngle :: Course -> Double
 endAngle course = case courseFate course of
   Escapes angle -> angle
   Captured angle -> angle
   Circles -> 8 * pi
 
--- | Where a path crosses the disk's plane @y = 0@ outside the horizon.
+-- | A crossing of the disk's plane @y = 0@ outside the horizon.
 data Crossing = Crossing
-  { -- | Schwarzschild radii.
+  { -- | In Schwarzschild radii.
     crossingRadius :: !Double,
-    -- | @atan2 z x@ in [−π, π), radians.
+    -- | @atan2 z x@ in [−π, π), in radians.
     crossingAzimuth :: !Double,
-    -- | @ν_obs\/ν_em@ of light from gas there on its way to the observer.
+    -- | @ν_obs\/ν_em@ of light that gas at the crossing sends to the observer.
     crossingRedshift :: !Double
   }
   deriving (Eq, Show)
 
--- | The azimuth of a place in the disk's plane. The seam is closed: what lies
--- there but for rounding has −π.
+-- | The azimuth of a position in the disk's plane, in [−π, π). Positions on the seam up
+-- to rounding have −π.
 planeAzimuth :: XYZ -> Double
 planeAzimuth (XYZ x _ z)
   | angle > 3.141592653589792 = -pi
@@ -303,18 +303,17 @@ planeAzimuth (XYZ x _ z)
   where
     angle = atan2 z x
 
--- | Whether the path lies across the disk's plane, not in it.
+-- | Whether the path crosses the disk's plane rather than lying in it.
 courseMeetsPlane :: Course -> Bool
 courseMeetsPlane course = max (abs a) (abs b) > 1e-12
   where
     XYZ _ a _ = courseOutset course
     XYZ _ b _ = courseOnward course
 
--- | The points at which the path crosses the disk's plane, in the order in which
--- the path followed from the observer meets them; the start itself does not
--- count. None for a path that lies in the plane, and those of four turns for
--- one that never ends. The height is @r (e₁ cos φ + e₂ sin φ)·y@, so that
--- crossings lie at a first angle and half a turn apart.
+-- | The points at which the path crosses the disk's plane, in order from the observer,
+-- not counting the start. Empty for a path that lies in the plane; limited to four
+-- turns for a path that never ends. The height is @r (e₁ cos φ + e₂ sin φ)·y@, so the
+-- crossings are half a turn apart.
 coursePlanePoints :: Course -> [CoursePoint]
 coursePlanePoints course
   | not (courseMeetsPlane course) || courseImpactParameter course == 0 = []
@@ -327,12 +326,12 @@ coursePlanePoints course
           upward = if angle < 0 then angle + pi else angle
        in if upward < 1e-12 then upward + pi else upward
 
--- | What becomes of light from gas at those points.
+-- | The crossings at those points outside the horizon, with the redshift of gas there.
 courseCrossings :: Course -> [Crossing]
 courseCrossings course = mapMaybe crossing (coursePlanePoints course)
   where
     crossing (CoursePoint _ (Photon place velocity)) = do
-      -- The light itself runs the other way.
+      -- The light itself travels the other way.
       shift <- gasRedshift (courseObserved course) place (XYZ.negated velocity)
       pure . Crossing (XYZ.norm place) (planeAzimuth place) $
         redshiftGravitational shift * redshiftDoppler shift

@@ -1,21 +1,21 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | Jacobi's elliptic functions of a real argument, and Legendre's integrals of
--- the first kind.
+-- | Jacobi's elliptic functions of a real argument, and Legendre's integrals of the
+-- first kind.
 --
--- Everything here takes the /complementary parameter/ @m₁ = 1 − m@ (in
--- Abramowitz and Stegun's notation, @m = k²@). Light that nearly circles the
--- hole has @m₁@ down to 1e-30; computed as @1 − m@ it would be lost.
+-- All functions take the /complementary parameter/ @m₁ = 1 − m@ (in Abramowitz and
+-- Stegun's notation, @m = k²@). For light that nearly circles the hole, @m₁@ falls to
+-- 1e-30; computing it as @1 − m@ would lose it.
 --
--- A 'Modulus' holds what depends on the parameter alone, so that one light
--- path can be asked for many points: each costs one sine or one exponential
--- and some forty multiplications.
+-- A 'Modulus' holds everything that depends on the parameter alone, so that evaluating
+-- many points of one light path is cheap: each costs one sine or one exponential and
+-- about forty multiplications.
 --
--- /Method./ Quotients of theta series (Whittaker and Watson, chapters 21 and
--- 22). For @m ≤ 1\/2@ the nome is at most @e^(−π) = 0.0432@. For @m > 1\/2@
--- Jacobi's imaginary transformation exchanges @m@ and @m₁@, so that the nome
--- stays that small, and the circular functions become hyperbolic ones. Terms of
--- order @nome¹²@ (4e-17) are left out.
+-- /Method./ Quotients of theta series (Whittaker and Watson 1927, chapters 21 and 22).
+-- For @m ≤ 1\/2@ the nome is at most @e^(−π) = 0.0432@. For @m > 1\/2@ Jacobi's
+-- imaginary transformation exchanges @m@ and @m₁@, which keeps the nome that small and
+-- turns circular functions into hyperbolic ones. Terms of order @nome¹²@ (4e-17) are
+-- omitted.
 module BlackHole.Physics.Elliptic
   ( -- * Functions
     Modulus,
@@ -37,18 +37,17 @@ where
 import GHC.Exts (lazy)
 import Numeric (expm1)
 
--- | Whether the theta series run in circular or in hyperbolic functions.
+-- | Whether the theta series use circular or hyperbolic functions.
 data Kernel = Circular | Hyperbolic
 
--- | The elliptic functions of one parameter, prepared for evaluation; make one
--- with 'modulus'.
+-- | The elliptic functions of one parameter, prepared for evaluation by 'modulus'.
 data Modulus = Modulus
   { modulusKernel :: !Kernel,
     -- | @K@, see 'quarterPeriod'.
     modulusQuarterPeriod :: {-# UNPACK #-} !Double,
     -- | Nome of the series in use.
     modulusNome :: {-# UNPACK #-} !Double,
-    -- | From the argument to the variable of the theta functions.
+    -- | Converts the argument to the variable of the theta functions.
     modulusScale :: {-# UNPACK #-} !Double,
     -- | Factors that normalise the quotients at the argument 0.
     modulusSnFactor :: {-# UNPACK #-} !Double,
@@ -99,9 +98,9 @@ tPlus (Series _ _ _ _ t0 t1 t2 t3) p = t0 + t2 * p * p + p * (t1 + t3 * p * p)
 {-# INLINE tMinus #-}
 {-# INLINE tPlus #-}
 
--- | Prepare the functions of the complementary parameter @m₁ ∈ [0, 1]@
--- (values outside are moved to the nearer end). Two arithmetic-geometric means
--- and one exponential.
+-- | Prepares the functions of the complementary parameter @m₁@. Values outside [0, 1]
+-- are replaced by the nearer end. Costs two arithmetic-geometric means and one
+-- exponential.
 modulus :: Double -> Modulus
 modulus complement =
   Modulus
@@ -147,7 +146,7 @@ modulus complement =
 quarterPeriod :: Modulus -> Double
 quarterPeriod = modulusQuarterPeriod
 
--- | The three functions at one argument.
+-- | @sn@, @cn@ and @dn@ of one argument.
 data Jacobi = Jacobi
   { jacobiSn :: {-# UNPACK #-} !Double,
     jacobiCn :: {-# UNPACK #-} !Double,
@@ -155,9 +154,9 @@ data Jacobi = Jacobi
   }
   deriving (Eq, Show)
 
--- | @sn@, @cn@ and @dn@ of any finite real argument. The absolute error is a
--- few 1e-16 within the first period (beyond it, the rounding of the argument's
--- reduction is added); @sn@ keeps its relative accuracy near 0.
+-- | @sn@, @cn@ and @dn@ of any finite real argument. The absolute error is a few 1e-16
+-- within the first period; beyond it, the rounding of the argument's reduction adds to
+-- that. @sn@ keeps its relative accuracy near 0.
 jacobi :: Modulus -> Double -> Jacobi
 jacobi md x
   | abs x <= k = jacobiReduced md x
@@ -198,25 +197,25 @@ hyperbolicVariable :: Modulus -> Double -> Double
 hyperbolicVariable md v = modulusNome md / v + modulusNome md * v
 {-# INLINE hyperbolicVariable #-}
 
--- | @tanh z@ from @z ≥ 0@ and @v = e^(−2z)@. Near 0 the difference @1 − v@ would
--- have no digits left.
+-- | @tanh z@ from @z ≥ 0@ and @v = e^(−2z)@. Near 0, 'expm1' replaces the difference
+-- @1 − v@, which would lose all digits.
 tanhFrom :: Double -> Double -> Double
 tanhFrom z v
   | z < 0.25 = -expm1 (-2 * z) / (1 + v)
   | otherwise = (1 - v) / (1 + v)
 {-# INLINE tanhFrom #-}
 
--- | Keeps @nome \/ e^(−2z)@ from becoming 0\/0 where both underflow (@m₁ = 0@
--- and an argument beyond 350).
+-- | Keeps @nome \/ e^(−2z)@ from becoming 0\/0 where both underflow (@m₁ = 0@ and an
+-- argument beyond 350).
 tiny :: Double
 tiny = 1e-305
 
--- | @sn²@ for arguments within @[−2K, 2K]@; the hot path of a light path that
--- comes from infinity and leaves again. Absolute error a few 1e-16.
+-- | @sn²@ of an argument in @[−2K, 2K]@, with an absolute error of a few 1e-16. This is
+-- the inner loop for light that comes from infinity and leaves again.
 --
--- The 'Modulus' goes in as a pointer, for which 'lazy' stands: it has more fields
--- than GHC would unpack for a call, and GHC then leaves the argument and the
--- result boxed too. (Inlined instead, it takes twice the time.)
+-- 'lazy' keeps the 'Modulus' behind a pointer: it has more fields than GHC unpacks for
+-- a call, and GHC would otherwise leave the argument and the result boxed too. Inlining
+-- the function doubles its time.
 snSquared :: Modulus -> Double -> Double
 snSquared prepared !x = case modulusKernel md of
   Circular ->
@@ -237,10 +236,10 @@ snSquared prepared !x = case modulusKernel md of
     md = lazy prepared
     s = modulusSeries md
 
--- | @tan (am(x) \/ 2) = sn \/ (1 + cn)@ for arguments within @[−2K, 2K]@, with
--- full relative accuracy near 0 and near the poles @±2K@: there @1 + cn@ has no
--- digits left, while the half-argument form @sn dn \/ cn@ of @x\/2@, used here,
--- is a plain quotient of theta functions. For 'lazy' see 'snSquared'.
+-- | @tan (am(x) \/ 2) = sn \/ (1 + cn)@ for an argument in @[−2K, 2K]@, with full
+-- relative accuracy near 0 and near the poles @±2K@. Near the poles @1 + cn@ loses all
+-- digits; the half-argument form @sn dn \/ cn@ of @x\/2@, used here, is a quotient of
+-- theta functions without cancellation. See 'snSquared' for 'lazy'.
 tanHalfAmplitude :: Modulus -> Double -> Double
 tanHalfAmplitude prepared !x = case modulusKernel md of
   Circular ->
@@ -257,9 +256,9 @@ tanHalfAmplitude prepared !x = case modulusKernel md of
     quotient p = modulusTanFactor md * bMinus s p * tPlus s p / (bPlus s p * tMinus s p)
     {-# INLINE quotient #-}
 
--- | The complete integral @K(m)@ from @m₁ ∈ [0, 1]@, by the
--- arithmetic-geometric mean (Abramowitz and Stegun 17.6.3); infinite for
--- @m₁ = 0@. At most fifteen square roots, five as a rule.
+-- | The complete integral @K(m)@ from @m₁ ∈ [0, 1]@, by the arithmetic-geometric mean
+-- (Abramowitz and Stegun 1964, 17.6.3); infinite for @m₁ = 0@. Takes at most fifteen
+-- square roots, usually five.
 completeK :: Double -> Double
 completeK m1
   | m1 > 0 = go 1 (sqrt m1)
@@ -271,9 +270,8 @@ completeK m1
       | abs (a - g) <= 1e-8 * a = pi / (a + g)
       | otherwise = go (0.5 * (a + g)) (sqrt (a * g))
 
--- | The incomplete integral @F(φ|m)@ from @m₁@ and the amplitude @φ@ in
--- radians, any real number. Infinite where it should be: @m₁ = 0@ and
--- @|φ| ≥ π\/2@.
+-- | The incomplete integral @F(φ|m)@ from @m₁@ and the amplitude @φ@ in radians, any
+-- real number. Infinite for @m₁ = 0@ and @|φ| ≥ π\/2@.
 incompleteF :: Double -> Double -> Double
 incompleteF m1 phi
   | halfTurns == 0 = inFirst
@@ -285,16 +283,16 @@ incompleteF m1 phi
     c = cos rest
     inFirst = signum rest * firstQuadrantF m1 (s * s) (c * c)
 
--- | @F(φ|m)@ for @0 ≤ φ ≤ π\/2@ from @m₁@ and two numbers /in proportion/ to
--- @sin² φ@ and @cos² φ@ (their sum need not be 1). The caller who knows both
--- without cancellation, however close to 0 or to π\/2, loses nothing.
+-- | @F(φ|m)@ for @0 ≤ φ ≤ π\/2@ from @m₁@ and two numbers /proportional/ to @sin² φ@
+-- and @cos² φ@ (their sum need not be 1). A caller that knows both without
+-- cancellation, however close φ is to 0 or π\/2, loses no accuracy.
 firstQuadrantF :: Double -> Double -> Double -> Double
 firstQuadrantF m1 sine2 cosine2 =
   sqrt sine2 * carlsonRF cosine2 (cosine2 + m1 * sine2) (cosine2 + sine2)
 
--- | Carlson's symmetric integral @R_F(x, y, z)@ for @x, y, z ≥ 0@, at most one
--- of them 0 (infinite otherwise): duplication, then the series of degree 7
--- (DLMF 19.36.1). Relative error a few 1e-16.
+-- | Carlson's symmetric integral @R_F(x, y, z)@ for @x, y, z ≥ 0@, by duplication and
+-- then the series of degree 7 (DLMF 19.36.1). Infinite if more than one argument is 0.
+-- The relative error is a few 1e-16.
 carlsonRF :: Double -> Double -> Double -> Double
 carlsonRF x0 y0 z0
   | min (x0 + y0) (min (y0 + z0) (z0 + x0)) <= 0 = 1 / 0
@@ -320,6 +318,6 @@ carlsonRF x0 y0 z0
             - 5 * e2 * e2 * e2 / 208
             + 3 * e3 * e3 / 104
             + e2 * e2 * e3 / 16
-    -- The first term left out is of degree 8 in the spread, with a coefficient
-    -- below 0.02: 1e-18 here.
+    -- The first omitted term is of degree 8 in the spread, with a coefficient below
+    -- 0.02: 1e-18 here.
     seriesRadius = 0.007

@@ -1,10 +1,10 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | Light followed along its exact orbit ("BlackHole.Physics.Orbit"), or along
--- a straight line where there is no gravity.
+-- | Light paths along exact orbits ("BlackHole.Physics.Orbit"), or along straight lines
+-- without gravity.
 --
--- Every point, the escaping direction and the fate come from the closed form;
--- the march along it only chooses where the gas is looked at.
+-- Every point, the direction of escape and the fate come from the closed form. The step
+-- length only decides where the gas is sampled.
 module BlackHole.Physics.ExactPath
   ( followExact,
     straightImpact,
@@ -22,9 +22,9 @@ import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^), (^-^))
 import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Maybe (fromMaybe)
 
--- | Follow a photon of unit energy ('withUnitEnergy') to its end. Stretches
--- that do not touch the region are passed over. Costs one evaluation of the
--- orbit per stretch.
+-- | Follows a photon of unit energy ('withUnitEnergy') to its end and passes the path
+-- segments inside the region to the caller. Costs one evaluation of the orbit per
+-- segment.
 followExact ::
   Spacetime ->
   Region ->
@@ -46,8 +46,8 @@ followOrbit region (Photon place velocity) gather
     !e1 = u0 *^ place
     !radial = XYZ.dot velocity e1
     across = velocity ^-^ radial *^ e1
-    -- A photon that moves straight at the hole or away from it sweeps no angle
-    -- to march along; its neighbour within 1e-12 radians does.
+    -- A photon that moves straight towards the hole or away from it sweeps no angle to
+    -- march along, so this follows its neighbour within 1e-12 radians.
     !tangential = max (1e-12 * XYZ.norm velocity) (XYZ.norm across)
     !e2 = fromMaybe (XYZ.perpendicular e1) (XYZ.normalize across)
     !path = orbit r0 radial tangential
@@ -66,12 +66,12 @@ followOrbit region (Photon place velocity) gather
       Orbit.Escapes angle -> Followed (Escaped (cos angle *^ e1 ^+^ sin angle *^ e2)) state n
       Orbit.Captured _ -> Followed Captured state n
       Orbit.Circles -> Followed StepLimit state n
-    -- Swept angle, and inverse radius and slope there: exact at the start and
-    -- extrapolated by Taylor from the last middle after that, which is plenty
-    -- for choosing the next step.
+    -- Swept angle, and inverse radius and slope there: exact at the start, then
+    -- extrapolated by a Taylor expansion from the last middle, which is accurate enough
+    -- to choose the next step.
     go !n !angle !u !slope !state
       | angle >= lastAngle = end n state
-      -- Outside everything and moving out: only the sky is left.
+      -- Outside the gas and moving outward: only the sky is left.
       | slope <= 0 && u * reach <= 1 = end n state
       | insideRegion region middle =
         case gather state (Stretch middle velocity' (turn / (b * um * um))) of
@@ -85,8 +85,8 @@ followOrbit region (Photon place velocity) gather
           (cos angle * slope + sin angle * u) *^ e1
             ^+^ (sin angle * slope - cos angle * u) *^ e2
         wanted = marchLength region here (climbing / speed) * u * u / speed
-        -- The last stretch of a captured path ends at the horizon; that of an
-        -- escaping one has left the region long before infinity.
+        -- The last segment of a captured path ends at the horizon. The last segment of
+        -- an escaping path is far outside the region.
         turn = min (min 0.3 wanted) (lastAngle - angle)
         angle' = angle + turn
         half = 0.5 * turn
@@ -125,8 +125,8 @@ followStraight region (Photon place velocity) gather = go 0 0
         escaped = Followed (Escaped velocity) state n
 {-# INLINE followStraight #-}
 
--- | How far along its straight path a photon of unit speed meets the black ball
--- of flat space; infinite if it does not aim at it.
+-- | The distance along a straight path at which a photon of unit speed hits the black
+-- ball of flat space; infinite if it misses.
 straightImpact :: Photon -> Double
 straightImpact (Photon place velocity)
   | closest2 < 1 && along < 0 = negate along - sqrt (1 - closest2)

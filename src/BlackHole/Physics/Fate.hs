@@ -1,4 +1,4 @@
--- | How a light path ends: a closed list.
+-- | The ways in which a light path can end.
 module BlackHole.Physics.Fate
   ( Fate (..),
     fateName,
@@ -9,19 +9,20 @@ import BlackHole.Vector.XYZ (XYZ)
 
 -- | The end of a path that is followed backwards from the camera.
 data Fate
-  = -- | It crosses the horizon: no light arrives along it.
+  = -- | The path crosses the horizon: no light arrives along it.
     Captured
-  | -- | It leaves for the sky in this direction (unit length). Never the
-    -- point it happened to stop at: the sky is infinitely far away.
+  | -- | The path leaves for the sky in this direction (of unit length). The direction
+    -- does not depend on where the computation stopped, because the sky is infinitely
+    -- far away.
     Escaped !XYZ
-  | -- | What lies in front hides the rest.
+  | -- | Gas in front hides the rest of the path.
     Opaque
-  | -- | The allowed number of steps was spent, close to the photon sphere as
-    -- a rule. It counts as dark.
+  | -- | The path used up the allowed number of steps, usually close to the photon
+    -- sphere. It counts as dark.
     StepLimit
   deriving (Eq, Show)
 
--- | The name that reports and files use.
+-- | The name used in reports and files.
 fateName :: Fate -> String
 fateName fate = case fate of
   Captured -> "captured"

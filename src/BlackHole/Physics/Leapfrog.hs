@@ -1,21 +1,21 @@
 {-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE CPP #-}
 
--- Three rays at once have more numbers than the processor has registers. GHC's other
--- way of sharing them out makes the loop an eighth faster; it counts as experimental,
--- so that only versions with which all tests have passed get it.
+-- Following three rays at once needs more numbers than the processor has registers.
+-- GHC's graph-colouring register allocator makes the loop an eighth faster. It counts
+-- as experimental, so only versions of GHC with which all tests have passed use it.
 #if __GLASGOW_HASKELL__ == 900 || __GLASGOW_HASKELL__ == 906
 {-# OPTIONS_GHC -fregs-graph #-}
 #endif
 
--- | Leapfrog integration of light in pseudo-space with the step rule of the
--- design report.
+-- | Leapfrog integration of light in pseudo-space, with the step rule of the design
+-- report (Will Yager, "Accurately Rendering a Black Hole").
 --
--- A step is drift–kick–drift: half a step straight on, the whole kick at the
--- middle, half a step straight on. It is second order (the error falls
--- fourfold when the step is halved) and reversible for steps of one length;
--- drift-then-kick with whole steps would be first order. The middle of the
--- step, where the acceleration is evaluated, is also where the gas is sampled.
+-- A step is drift–kick–drift: half a step straight on, the whole kick at the middle,
+-- half a step straight on. The method is second order (halving the step divides the
+-- error by four) and, for steps of equal length, reversible. Drift and kick in whole
+-- steps would be first order. The gas is sampled at the middle of the step, where the
+-- acceleration is evaluated.
 module BlackHole.Physics.Leapfrog
   ( StepRule (..),
     reportStepRule,
@@ -37,26 +37,26 @@ import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^), (^-^))
 import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Maybe (fromMaybe)
 
--- | How long the next step is, in Schwarzschild radii of pseudo-space.
+-- | The rule for the length of the next step, in Schwarzschild radii of pseudo-space.
 data StepRule
-  = -- | The report's: @l₀ · min(s_bh, s_ad)@ with
-    -- @s_bh = 1/(1+e^{10(1.4−r)})@ and @s_ad = 1/(1+e^{10(0.4−|y|/(20 w_ad))})@,
-    -- and 10 beyond @r = 40@. The fields are @l₀@ and @w_ad@.
+  = -- | The report's rule: @l₀ · min(s_bh, s_ad)@ with @s_bh = 1/(1+e^{10(1.4−r)})@ and
+    -- @s_ad = 1/(1+e^{10(0.4−|y|/(20 w_ad))})@, and 10 beyond @r = 40@. The fields are
+    -- @l₀@ and @w_ad@.
     ReportSteps {-# UNPACK #-} !Double {-# UNPACK #-} !Double
-  | -- | Every step of this length.
+  | -- | Steps of equal length.
     EqualSteps {-# UNPACK #-} !Double
   deriving (Eq, Show)
 
--- | The report's rule with its own numbers: @l₀ = 0.1@, @w_ad = 0.01@.
+-- | The report's rule with its own constants, @l₀ = 0.1@ and @w_ad = 0.01@.
 reportStepRule :: StepRule
 reportStepRule = ReportSteps 0.1 0.01
 
--- | The length of the step that starts at this point.
+-- | The length of the step that starts at this point, in Schwarzschild radii.
 stepLength :: StepRule -> XYZ -> Double
 stepLength rule x@(XYZ _ y _) = stepLengthAt rule (XYZ.normSquared x) y
 {-# INLINE stepLength #-}
 
--- | The same, from the squared distance from the hole and the height.
+-- | The length of a step from the squared distance to the hole and the height.
 stepLengthAt :: StepRule -> Double -> Double -> Double
 stepLengthAt (EqualSteps l) = \_ _ -> l
 stepLengthAt (ReportSteps l0 w) = reportLength l0 w
@@ -65,8 +65,8 @@ stepLengthAt (ReportSteps l0 w) = reportLength l0 w
 reportLength :: Double -> Double -> Double -> Double -> Double
 reportLength l0 w r2 y
   | r2 > 1600 = 10
-  -- Most steps end here: with both exponents below −37, 1 + e^exponent is 1 to
-  -- the last bit, and neither root nor exponential is needed to know it.
+  -- Most steps end here: with both exponents below −37, 1 + e^exponent is 1 to the last
+  -- bit, so neither the root nor the exponential is needed.
   | r2 > 26.1 && abs y > 82.1 * w = l0
   | otherwise = l0 / (1 + exp (max (10 * (1.4 - sqrt r2)) diskExponent))
   where
@@ -75,15 +75,16 @@ reportLength l0 w r2 y
     diskExponent = 10 * (0.4 - abs y / (20 * w))
 {-# INLINE reportLength #-}
 
--- | Hand the rule's length on as a function, chosen once: a choice within a loop
--- makes GHC put the whole state of the loop aside at every turn.
+-- | Passes the rule's length on as a function, chosen once. Choosing inside the loop
+-- would make GHC spill the whole state of the loop at every turn.
 withStepLength :: StepRule -> ((Double -> Double -> Double) -> b) -> b
 withStepLength (EqualSteps l) use = use (\_ _ -> l)
 withStepLength (ReportSteps l0 w) use = use (reportLength l0 w)
 {-# INLINE withStepLength #-}
 
--- | One step of the given pseudo-time. The second argument is the squared
--- angular momentum @h²@, which the caller knows since it never changes.
+-- | @leapfrogStep spacetime h2 dt photon@ is the photon after one step of the
+-- pseudo-time @dt@. @h2@ is its squared angular momentum, which the caller knows
+-- because it never changes.
 leapfrogStep :: Spacetime -> Double -> Double -> Photon -> Photon
 leapfrogStep spacetime h2 dt photon =
   Photon (middle ^+^ (0.5 * dt) *^ v) v
@@ -91,7 +92,7 @@ leapfrogStep spacetime h2 dt photon =
     (middle, v) = driftAndKick (pullOfGravity spacetime * h2) dt photon
 {-# INLINE leapfrogStep #-}
 
--- | The first half of a step: the middle point and the velocity behind it.
+-- | The first half of a step: the middle point, and the velocity after the kick.
 driftAndKick :: Double -> Double -> Photon -> (XYZ, XYZ)
 driftAndKick pull dt (Photon x v) = (middle, v ^+^ kick *^ middle)
   where
@@ -100,18 +101,18 @@ driftAndKick pull dt (Photon x v) = (middle, v ^+^ kick *^ middle)
     kick = negate (pull * dt) / (r2 * r2 * sqrt r2)
 {-# INLINE driftAndKick #-}
 
--- | Everything the integration can be told.
+-- | The parameters of the integration.
 data Leapfrog = Leapfrog
   { leapfrogSteps :: !StepRule,
-    -- | Radius of the celestial sphere, where gravity no longer matters.
+    -- | Radius of the celestial sphere, beyond which gravity no longer matters.
     leapfrogSkyRadius :: !Double,
-    -- | Steps after which a path is given up.
+    -- | Number of steps after which a path is given up.
     leapfrogStepLimit :: !Int
   }
   deriving (Eq, Show)
 
--- | The report's steps, its celestial sphere at 2000 Schwarzschild radii, and
--- a limit that only paths caught at the photon sphere ever reach.
+-- | The report's steps, its celestial sphere at 2000 Schwarzschild radii, and a limit
+-- that only paths trapped at the photon sphere reach.
 defaultLeapfrog :: Leapfrog
 defaultLeapfrog =
   Leapfrog
@@ -120,11 +121,11 @@ defaultLeapfrog =
       leapfrogStepLimit = 200000
     }
 
--- | Follow a photon of unit energy ('withUnitEnergy') step by step until it is
--- captured (inward at @r ≤ 1@), escapes (outward beyond the celestial sphere),
--- is hidden, or runs out of steps. Only stretches with their middle in the
--- region reach the gatherer. Linear in the number of steps, which does not
--- exceed the limit; nothing is allocated per step.
+-- | Follows a photon of unit energy ('withUnitEnergy') step by step until it is
+-- captured (moving inward at @r ≤ 1@), escapes (moving outward beyond the celestial
+-- sphere), is hidden, or runs out of steps. Only path segments whose middle lies in the
+-- region reach the caller. Linear in the number of steps, which the limit bounds;
+-- allocates nothing per step.
 followLeapfrog ::
   Leapfrog ->
   Spacetime ->
@@ -136,12 +137,13 @@ followLeapfrog ::
 followLeapfrog leapfrog spacetime region photon gather =
   followAlone leapfrog region (orbitalPlane spacetime photon) gather 0 (startInPlane photon)
 
--- | Three photons at once, each with its own gatherer: the same bits as from
--- three calls of 'followLeapfrog', in about half the time.
+-- | Follows three photons at once, each with its own gathering function. The result is
+-- bit-identical to three calls of 'followLeapfrog' and takes about half the time.
 --
--- A step is a chain of roots and divisions, each of which waits for the one
--- before. While one path waits, the processor works on the others. As soon as
--- one of them ends, each goes on alone, which costs little among neighbours.
+-- A step is a chain of roots and divisions, each of which waits for the previous one.
+-- While one path waits, the processor works on the others. As soon as one path ends,
+-- the others continue alone, which costs little because neighbouring paths end at about
+-- the same time.
 followThree ::
   Leapfrog ->
   Spacetime ->
@@ -161,7 +163,7 @@ followThree leapfrog@(Leapfrog rule skyRadius limit) spacetime region (photon0, 
     !plane1@(Plane _ _ heightA1 heightB1 pull1) = orbitalPlane spacetime photon1
     !plane2@(Plane _ _ heightA2 heightB2 pull2) = orbitalPlane spacetime photon2
     !sky2 = skyRadius * skyRadius
-    -- From a height above this, half a step does not reach the gas.
+    -- Above this height, half a step does not reach the gas.
     !clear = tallestHeight region + longestNearGas rule region
     begin lengthAt = loop 0 a00 b00 u00 v00 a10 b10 u10 v10 a20 b20 u20 v20 beginning beginning beginning
       where
@@ -236,8 +238,8 @@ followThree leapfrog@(Leapfrog rule skyRadius limit) spacetime region (photon0, 
       where
         place = inSpace plane middle
 
--- | The plane of a path: two unit vectors at right angles, the first from the
--- hole to the start; their heights over the disk's plane; and @−(3\/2) h²@.
+-- | The plane of a path: two orthogonal unit vectors, the first from the hole to the
+-- start; their heights above the disk's plane; and @−(3\/2) h²@.
 data Plane
   = Plane
       !XYZ
@@ -253,7 +255,7 @@ orbitalPlane spacetime photon@(Photon x v) =
     !e1@(XYZ _ height1 _) = fromMaybe (XYZ 1 0 0) (XYZ.normalize x)
     !e2@(XYZ _ height2 _) = fromMaybe (XYZ.perpendicular e1) (XYZ.normalize (v ^-^ XYZ.dot v e1 *^ e1))
 
--- | Place and velocity in the plane's own coordinates.
+-- | Position and velocity in the plane's own coordinates.
 data InPlane
   = InPlane
       {-# UNPACK #-} !Double
@@ -278,32 +280,31 @@ stretchInPlane plane dt place (InPlane _ _ u v) (Middle u' v') =
   Stretch place (inSpace plane (Middle (0.5 * (u + u')) (0.5 * (v + v')))) dt
 {-# INLINE stretchInPlane #-}
 
--- | The pseudo-time of the step from a place, given the rule, the place's squared
--- distance from the hole, its height and the velocity there. Root and division do not wait
--- for each other this way.
+-- | The pseudo-time of a step, from the rule, the squared distance to the hole, the
+-- height and the velocity. Written so that root and division do not wait for each
+-- other.
 stepTime :: (Double -> Double -> Double) -> Double -> Double -> Double -> Double -> Double
 stepTime lengthAt r2 y u v = lengthAt r2 y * (sqrt v2 * (1 / v2))
   where
     v2 = u * u + v * v
 {-# INLINE stepTime #-}
 
--- | What the velocity changes by in the middle of a step, over the place there.
+-- | The change of velocity in the middle of a step, divided by the position there.
 kickAt :: Double -> Double -> Double -> Double -> Double
 kickAt pull dt a b = pull * dt * (sqrt r2 * (1 / (r2 * r2 * r2)))
   where
     r2 = a * a + b * b
 {-# INLINE kickAt #-}
 
--- | No shorter than half of any step that starts where there can be gas within
--- its reach.
+-- | An upper bound on half of any step that starts within reach of the gas.
 longestNearGas :: StepRule -> Region -> Double
 longestNearGas (EqualSteps l) _ = l
 longestNearGas (ReportSteps l0 _) region
-  -- Steps beyond r = 40 are ten long.
+  -- Steps beyond r = 40 have the length 10.
   | enclosingRadius region < 30 = l0
   | otherwise = 10
 
--- | The greatest height at which there is gas.
+-- | The greatest height of the gas.
 tallestHeight :: Region -> Double
 tallestHeight region
   -- Without a flare the radius may be infinite.
@@ -349,6 +350,6 @@ followAlone (Leapfrog rule skyRadius limit) region plane@(Plane _ _ heightA heig
             place = inSpace plane (Middle ma mb)
             escaped = case XYZ.normalize (inSpace plane (Middle u v)) of
               Just direction -> Followed (Escaped direction) state n
-              -- Only a photon that never had a direction gets here.
+              -- Reached only by a photon that never had a direction.
               Nothing -> Followed StepLimit state n
     {-# INLINE begin #-}

@@ -1,6 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | Where neighbouring light rays end on the celestial sphere.
+-- | How the directions in which neighbouring light rays reach the celestial sphere
+-- differ.
 module BlackHole.Physics.LensBeam
   ( lensChange,
     LensChanges (..),
@@ -13,12 +14,12 @@ import BlackHole.Physics.Photon
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^), (^-^))
 import qualified BlackHole.Vector.XYZ as XYZ
 
--- | @lensChange table photon direction neighbour@: how the direction in which a
--- photon of unit energy escapes changes towards a neighbour that starts at the
--- same place, to first order: a vector tangent to the celestial sphere at the
--- direction. The neighbour's path turns within its plane by the slope of the
--- swept angle ('lensSlope'), and its plane is another. 'Nothing' where the
--- photon does not escape, has no plane, or is too close to the critical one.
+-- | @lensChange table photon direction neighbour@ is the first-order change of the
+-- direction in which a photon of unit energy escapes, towards a neighbour that starts
+-- at the same position. The result is a vector tangent to the celestial sphere at
+-- @direction@. The neighbour's path turns within its plane by the derivative of the
+-- swept angle ('lensSlope'), and its plane differs. 'Nothing' if the photon does not
+-- escape, moves radially, or is too close to the critical path.
 lensChange :: LensTable -> Photon -> XYZ -> Photon -> Maybe XYZ
 lensChange table photon direction neighbour =
   (\(LensChanges change _) -> change) <$> lensChanges table photon direction neighbour neighbour
@@ -29,7 +30,7 @@ data LensChanges
       {-# UNPACK #-} !XYZ
       {-# UNPACK #-} !XYZ
 
--- | 'lensChange' towards two neighbours at once, for less than twice the price.
+-- | 'lensChange' towards two neighbours at once, in less than twice the time.
 lensChanges :: LensTable -> Photon -> XYZ -> Photon -> Photon -> Maybe LensChanges
 lensChanges table (Photon place velocity) direction (Photon _ velocity1) (Photon _ velocity2)
   | not (r > 0 && tangential > 0) = Nothing

@@ -1,24 +1,23 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | All light paths through one place, tabulated.
+-- | A table of all light paths through one point.
 --
--- Space is the same in all directions from the hole, so the paths that end in
--- one camera are rotations of a family with one parameter, the angle ψ between
--- the line of sight and the outward radius. The table holds the closed form
--- ("BlackHole.Physics.Orbit") for some 1500 members: the swept angle, the
--- direction at infinity, and @u@ at waypoints in between. The others are
--- interpolated.
+-- Schwarzschild space is spherically symmetric, so all paths that end at one camera are
+-- rotations of a family with one parameter: the angle ψ between the line of sight and
+-- the outward radius. The table holds the closed form ("BlackHole.Physics.Orbit") for
+-- about 3000 members: the swept angle, the direction at infinity, and @u@ at waypoints
+-- in between. The other members are interpolated.
 --
 -- /The parameter/ is @w = tan(ψ\/4)@: smooth and monotone from 0 (outwards) to 1
--- (inwards) and rational in the components of the velocity. Inside the horizon,
--- where nobody is at rest to measure ψ, it is that of somebody who falls in from
+-- (inwards), and rational in the components of the velocity. Inside the horizon, where
+-- no observer at rest exists to measure ψ, it refers to an observer who falls in from
 -- rest at infinity.
 --
--- /The nodes./ At the critical @w_c@, where light winds round the photon sphere
--- for ever, everything varies as the logarithm of @|w − w_c|@. So each octave of
--- that distance is cut into the same number of segments, with cubics that have
--- the exact value and slope at both ends. Closer than 2⁻²⁴ the closed form
--- answers.
+-- /The nodes./ Near the critical value @w_c@, where light winds around the photon
+-- sphere for ever, everything varies as the logarithm of @|w − w_c|@. The table
+-- therefore divides each octave of that distance into 64 intervals, with cubics that
+-- match the exact value and slope at both ends. Closer than 2⁻²⁴ the closed form is
+-- used directly.
 module BlackHole.Physics.LensTable
   ( LensTable,
     lensTable,
@@ -42,25 +41,26 @@ import Data.Foldable (for_)
 import Data.Primitive.PrimArray
 import GHC.Float (castDoubleToWord64)
 
--- | What the parameter of a place's paths depends on.
+-- | What the parameter of the paths through a point depends on.
 data Family = Family
   { familyRadius :: {-# UNPACK #-} !Double,
-    -- | √(1 − 1/r), the lapse of an observer at rest there; inside the horizon
-    -- √(1/r), the speed of one who falls in from rest at infinity.
+    -- | √(1 − 1/r), the lapse of an observer at rest; inside the horizon √(1/r), the
+    -- speed of an observer who falls in from rest at infinity.
     _familyLapse :: {-# UNPACK #-} !Double,
     familyCritical :: {-# UNPACK #-} !Double
   }
 
--- | The paths through a place.
+-- | The tabulated paths through a point.
 data LensTable = LensTable
   { tableFamily :: {-# UNPACK #-} !Family,
-    -- | For each block where its rows begin and how many cells they have.
+    -- | For each block, the index of its first row and the number of its cells.
     tableBlocks :: !(PrimArray Int),
     tableNumbers :: !(PrimArray Double)
   }
 
--- | The table of a place at a distance r > 0 from the hole, in Schwarzschild
--- radii. Costs some 6000 orbits, ten milliseconds.
+-- | The table of a point at the distance r > 0 from the hole, in Schwarzschild radii.
+-- Evaluates about 10 000 orbits, which takes some 14 milliseconds on one core
+-- (docs/performance.md).
 lensTable :: Double -> LensTable
 lensTable r =
   LensTable
@@ -73,20 +73,20 @@ lensTable r =
     blocks = [block family side octave | side <- [minBound ..], octave <- [0 .. octaveCount - 1]]
     offsets = scanl (+) 0 (map blockSize blocks)
 
--- | The place's distance from the hole, in Schwarzschild radii.
+-- | The distance of the table's point from the hole, in Schwarzschild radii.
 lensTableRadius :: LensTable -> Double
 lensTableRadius = familyRadius . tableFamily
 
--- | How many numbers the table holds, 8 bytes each.
+-- | The number of 'Double's in the table, 8 bytes each.
 lensTableSize :: LensTable -> Int
 lensTableSize = sizeofPrimArray . tableNumbers
 
--- | Which side of the critical direction.
+-- | The side of the critical direction.
 data Side = Escaping | Falling
   deriving (Eq, Enum, Bounded)
 
--- | The parameter of the photon that winds round for ever. With u = 1/r,
--- cos ψ_c is −(1 − 3u/2)√(1 + 3u), free of cancellation at r = 3/2.
+-- | The parameter of the critical photon. With u = 1/r, cos ψ_c is −(1 − 3u/2)√(1 +
+-- 3u), which is free of cancellation at r = 3/2.
 criticalParameter :: Double -> Double
 criticalParameter r
   | r <= 1 =
@@ -108,9 +108,9 @@ quarterTangent cosine sine = sine / (high + sqrt (2 * high))
       | otherwise = 1 + cosine
 {-# INLINE quarterTangent #-}
 
--- | tan(ψ/4) for somebody who falls at this speed (the aberration of what
--- somebody at rest would see, where there is one), from the velocity of a photon
--- of unit energy.
+-- | tan(ψ/4) for an observer who falls at this speed, from the velocity of a photon of
+-- unit energy. Where an observer at rest exists, this is the aberration of what that
+-- observer sees.
 fallingParameter :: Double -> Double -> Double -> Double
 fallingParameter infall radial tangential = half / (1 + sqrt (1 + half * half))
   where
@@ -124,9 +124,9 @@ parameterOf (Family r lapse _) radial tangential
   | otherwise = fallingParameter lapse radial tangential
 {-# INLINE parameterOf #-}
 
--- | A member of the family: its pseudo-velocity, radial and tangential. The
--- tangential part is negative beyond both ends of the parameter's range, where
--- the family begins again, mirrored.
+-- | The radial and tangential pseudo-velocity of a member of the family. The tangential
+-- component is negative beyond both ends of the parameter's range, where the family
+-- continues as its mirror image.
 velocityAt :: Family -> Double -> (Double, Double)
 velocityAt (Family r lapse _) w
   | r > 1 =
@@ -140,21 +140,21 @@ velocityAt (Family r lapse _) w
         t = 2 * half / ((1 + lapse) - (lapse - 1) * half * half)
      in (sqrt (1 + (lapse * lapse - 1) * t * t), t)
 
--- | Octaves of the distance from the critical parameter, from 1 down.
+-- | Number of octaves of the distance from the critical parameter, from 1 downwards.
 octaveCount :: Int
 octaveCount = 24
 
--- | Segments of an octave.
+-- | Number of intervals per octave.
 segmentCount :: Int
 segmentCount = 64
 
 -- | One octave on one side.
 data Block = Block
-  { -- | The parameter at its nodes: that of the node nearest to the critical
-    -- one, and the difference from each to the next.
+  { -- | The parameter at the node nearest to the critical one, and the difference
+    -- between successive nodes.
     blockFirst :: !Double,
     blockStep :: !Double,
-    -- | Cells of its paths; 0 if the octave lies beyond the family's range.
+    -- | Number of cells of its paths; 0 if the octave lies beyond the family's range.
     blockCells :: !Int
   }
 
@@ -163,8 +163,8 @@ blockSize b
   | blockCells b == 0 = 0
   | otherwise = (segmentCount + 1) * rowSize (blockCells b)
 
--- | The numbers of a row: three and two for each waypoint, all with their
--- slopes.
+-- | How many numbers a row has: three, and two for each waypoint, each of them with its
+-- slope.
 rowSize :: Int -> Int
 rowSize cells = 2 * (headSize + 2 * cells)
 
@@ -184,17 +184,17 @@ block family side octave = case side of
       | otherwise = Block first by (max (cellsAt first) (cellsAt (first + by * fromIntegral segmentCount)))
     cellsAt w = let Member _ path = memberAt family w in sweepCells (orbitSweep path)
 
--- | A path with the sign of its tangential velocity.
+-- | A path, with the sign of its tangential velocity.
 data Member = Member !Double !Orbit
 
 memberAt :: Family -> Double -> Member
 memberAt family w = Member (signum t) (orbit (familyRadius family) radial (abs t))
   where
     (radial, tangential) = velocityAt family w
-    -- A radial photon sweeps no angle to speak of; its neighbour does.
+    -- A radial photon sweeps no angle, so this takes its neighbour.
     t = if abs tangential < 1e-12 then 1e-12 else tangential
 
--- | The rows of a block, one after the other.
+-- | The rows of a block in order.
 blockNumbers :: Family -> Block -> PrimArray Double
 blockNumbers family b = runPrimArray $ do
   numbers <- newPrimArray (blockSize b)
@@ -235,30 +235,31 @@ blockNumbers family b = runPrimArray $ do
       Leaves c s -> (c, s)
       FallsIn -> (0, 0)
       CirclesOn -> (0, 0)
-    -- Of a segment. The cubic's own error is far larger than that of this
+    -- In units of an interval. The error of the cubic far exceeds that of this
     -- difference.
     apart = 0.01
 
--- | Where in the table a photon's path lies.
+-- | The result of looking up a photon.
 data Found
-  = -- | Between two rows: where they begin, their cells, the part of the way from
-    -- one to the other, the octave, and whether the photon falls in.
+  = -- | Between two rows: the start of the first row, the number of its cells, the
+    -- fraction of the way from one row to the next, the octave, and whether the photon
+    -- falls in.
     Between !Int !Int {-# UNPACK #-} !Double !Int !Bool
-  | -- | Too close to the critical path, or of no use there.
+  | -- | Too close to the critical path, or on a path that the table does not cover.
     Beyond
 
--- | Look up a photon of unit energy by its radial and tangential velocity.
+-- | Looks up a photon of unit energy by its radial and tangential velocity.
 find :: LensTable -> Double -> Double -> Found
 find (LensTable family blocks _) !radial !tangential
-  -- Inside the horizon only light from outside is worth a table.
+  -- Inside the horizon the table covers only light from outside.
   | distance < closest || (falling && familyRadius family <= 1) = Beyond
   | otherwise = Between (begin + segment * rowSize cells) cells t octave falling
   where
     !offset = parameterOf family radial tangential - familyCritical family
     !falling = offset > 0
     !distance = abs offset
-    -- A distance of 2⁻⁽ᵒ⁺¹⁾ (1 + s/64) is a Double with the exponent
-    -- −(o+1) whose fraction begins with the six bits of s.
+    -- A distance of 2⁻⁽ᵒ⁺¹⁾ (1 + s/64) is a Double with the exponent −(o+1) whose
+    -- fraction begins with the six bits of s.
     !bits = castDoubleToWord64 distance
     !octave = max 0 (1022 - fromIntegral (bits `unsafeShiftR` 52)) :: Int
     !segment = fromIntegral ((bits `unsafeShiftR` 46) .&. 63) :: Int
@@ -268,7 +269,7 @@ find (LensTable family blocks _) !radial !tangential
     cells = indexPrimArray blocks (place + 1)
 {-# INLINE find #-}
 
--- | Hermite's weights of the values and slopes at the two ends of a segment.
+-- | Hermite weights of the values and slopes at the two ends of an interval.
 data Weights
   = Weights
       {-# UNPACK #-} !Double
@@ -280,7 +281,7 @@ weightsAt :: Double -> Weights
 weightsAt t = Weights ((1 + 2 * t) * (1 - t) * (1 - t)) (t * (1 - t) * (1 - t)) (t * t * (3 - 2 * t)) (t * t * (t - 1))
 {-# INLINE weightsAt #-}
 
--- | The number of this place in the rows that begin at two indices.
+-- | The interpolated number at the index @k@ of the rows that start at two indices.
 mixed :: PrimArray Double -> Weights -> Int -> Int -> Int -> Double
 mixed numbers (Weights v0 d0 v1 d1) row row' k =
   v0 * indexPrimArray numbers (row + 2 * k)
@@ -289,8 +290,8 @@ mixed numbers (Weights v0 d0 v1 d1) row row' k =
     + d1 * indexPrimArray numbers (row' + 2 * k + 1)
 {-# INLINE mixed #-}
 
--- | The path of a photon of unit energy from its radial and tangential
--- velocity, the tangential one at least 0.
+-- | The path of a photon of unit energy, from its radial and tangential velocity. The
+-- tangential velocity must be at least 0.
 lensSweep :: LensTable -> Double -> Double -> Sweep
 lensSweep table !radial !tangential = case find table radial tangential of
   Beyond -> closedForm table radial tangential
@@ -306,7 +307,7 @@ lensSweep table !radial !tangential = case find table radial tangential of
     numbers = tableNumbers table
 {-# INLINE lensSweep #-}
 
--- | The end of that path alone.
+-- | The end of the path that 'lensSweep' returns, without the path.
 lensEnd :: LensTable -> Double -> Double -> SweepEnd
 lensEnd table !radial !tangential = case find table radial tangential of
   Beyond -> sweepEnd (closedForm table radial tangential)
@@ -321,30 +322,30 @@ closedForm :: LensTable -> Double -> Double -> Sweep
 closedForm table radial tangential = orbitSweep (orbit (lensTableRadius table) radial tangential)
 {-# NOINLINE closedForm #-}
 
--- | The distance from the critical parameter below which the table ends.
+-- | The distance from the critical parameter below which the table does not apply.
 closest :: Double
 closest = 0.5 ^^ octaveCount
 
--- | How the angle swept up to infinity changes with the 'lensOffset', at a
--- photon of unit energy given by its radial and tangential velocity. 'Nothing'
--- where that does not escape or is closer to the critical one than the table.
+-- | The derivative of the angle swept up to infinity with respect to the 'lensOffset',
+-- for a photon of unit energy with this radial and tangential velocity. 'Nothing' if
+-- the photon does not escape or is closer to the critical path than the table reaches.
 lensSlope :: LensTable -> Double -> Double -> Maybe Double
 lensSlope table radial tangential = case find table radial tangential of
   Between row cells t octave False ->
     let row' = row + rowSize cells
         at = indexPrimArray (tableNumbers table)
-     in -- The derivative of Hermite's interpolation, over the length of a segment:
-        -- an octave of them is 2^-(octave + 1) long.
+     in -- The derivative of Hermite's interpolation, divided by the length of an
+        -- interval: an octave is 2^-(octave + 1) long.
         Just $
           negate (6 * t * (t - 1) * (at row - at row') + (1 - t) * (1 - 3 * t) * at (row + 1) + t * (3 * t - 2) * at (row' + 1))
             * fromIntegral (segmentCount * 2 `unsafeShiftL` octave)
   _ -> Nothing
 {-# INLINE lensSlope #-}
 
--- | How far a photon of unit energy, by its radial and tangential velocity, is from
--- the one that winds round for ever: the difference of their parameters, which are
--- about a quarter of their angles from the outward radius, for an observer at rest.
--- Positive if it comes from the horizon.
+-- | The difference between the parameter of a photon of unit energy, given by its
+-- radial and tangential velocity, and the critical parameter. For an observer at rest
+-- it is about a quarter of the angle between the two directions, in radians. Positive
+-- if the photon comes from the horizon.
 lensOffset :: LensTable -> Double -> Double -> Double
 lensOffset (LensTable family _ _) radial tangential = parameterOf family radial tangential - familyCritical family
 {-# INLINE lensOffset #-}

@@ -1,9 +1,9 @@
--- | What a light path looks like to whoever gathers light along it: the one
--- interface between the geometry of space and everything that shines.
+-- | The interface between the geometry of space, which produces light paths, and
+-- everything that shines or absorbs along them.
 --
--- A path is handed out as a left fold over 'Stretch'es, in the order in which
--- they are met from the camera. The gatherer says after each one whether it
--- wants the next. Every way to follow light is a function of the shape
+-- A light path is a left fold over its segments ('Stretch'es), in order from the
+-- camera. After each segment the gathering function says whether it wants the next one.
+-- Every way to follow light has the type
 --
 -- > Region -> Photon -> (a -> Stretch -> Onward a) -> a -> Followed a
 module BlackHole.Physics.LightPath
@@ -22,16 +22,15 @@ import BlackHole.Physics.Fate (Fate)
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ
 
--- | A piece of a path, short against the structure of the gas around it.
+-- | A path segment, short compared with the structure of the gas around it.
 data Stretch = Stretch
-  { -- | Its middle, where the gas is evaluated (Schwarzschild radii).
+  { -- | The middle of the segment, where the gas is evaluated, in Schwarzschild radii.
     stretchMiddle :: {-# UNPACK #-} !XYZ,
-    -- | Backward pseudo-velocity there for unit energy at infinity: the
-    -- radial part is @k^r@ and the tangential part @L/r@ of the real momentum,
-    -- both with the sign reversed.
+    -- | Backward pseudo-velocity at the middle, for unit energy at infinity. Its radial
+    -- component is @−k^r@ and its tangential component @−L/r@ of the real momentum.
     stretchVelocity :: {-# UNPACK #-} !XYZ,
-    -- | Affine length in the same scale. Somebody to whom the light has @ν@
-    -- times its energy at infinity measures @ν@ times this length.
+    -- | Affine length on the same scale. An observer for whom the light has @ν@ times
+    -- its energy at infinity measures @ν@ times this length.
     stretchAffineLength :: {-# UNPACK #-} !Double
   }
   deriving (Eq, Show)
@@ -41,43 +40,42 @@ stretchLength :: Stretch -> Double
 stretchLength (Stretch _ v affine) = XYZ.norm v * affine
 {-# INLINE stretchLength #-}
 
--- | A gatherer's answer to a stretch.
+-- | The gathering function's answer to a segment.
 data Onward a
-  = -- | Go on with this state.
+  = -- | Continue with this state.
     Onward !a
-  | -- | What was gathered hides everything behind it.
+  | -- | Stop: what was gathered hides everything behind it.
     Hidden !a
 
--- | A path's end, what was gathered on the way, and the steps it took.
+-- | The end of a path, the state gathered along it, and the number of steps taken.
 data Followed a = Followed
   { followedFate :: !Fate,
     followedState :: !a,
     followedSteps :: !Int
   }
 
--- | Where something shines or absorbs: around the plane @y = 0@, within a
--- radius, and between two heights that may grow outwards. Stretches outside it
--- need not be handed out.
+-- | The volume in which something shines or absorbs: around the plane @y = 0@, within a
+-- radius, and between two heights that may grow outwards. An integrator need not report
+-- segments outside it.
 data Region = Region
-  { -- | Outer radius, from the axis.
+  { -- | Outer radius, measured from the axis.
     regionRadius :: !Double,
-    -- | Nothing is closer to the hole than this, at least 0.
+    -- | Distance from the hole inside which there is nothing, at least 0.
     regionInnerRadius :: !Double,
     -- | Half height on the axis; negative for an empty region.
     regionHalfHeight :: !Double,
     -- | Growth of the half height per radius, at least 0.
     regionFlare :: !Double,
-    -- | Greatest change of height of one stretch, as a fraction of the half
-    -- height there. The exact orbits obey this and the next; a step rule such
-    -- as the report's has its own idea.
+    -- | Greatest change of height within one segment, as a fraction of the half height
+    -- there. The exact integrators obey this and the next field; the leapfrog has its
+    -- own step rule.
     regionVerticalStep :: !Double,
-    -- | Greatest length of one stretch, as a fraction of the distance from the
-    -- axis.
+    -- | Greatest length of one segment, as a fraction of the distance from the axis.
     regionLongestStep :: !Double
   }
   deriving (Eq, Show)
 
--- | Nowhere at all.
+-- | The empty region.
 emptyRegion :: Region
 emptyRegion = Region 0 0 (-1) 0 1 1
 

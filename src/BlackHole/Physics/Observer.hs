@@ -1,12 +1,12 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | Who looks: how the directions an observer sees become light paths, and how
--- his motion and place shift the light's frequency.
+-- | Observers: how the directions they see become light paths, and how their motion and
+-- position shift the frequency of light.
 --
--- Directions are given in the observer's own orthonormal frame, written in the
--- Cartesian components of pseudo-space: the radial unit vector is @x/r@, the
--- azimuthal one is that of the right-handed rotation about @+y@. Formulas:
--- Misner, Thorne & Wheeler, /Gravitation/, §25 and box 31.2.
+-- Directions refer to the observer's own orthonormal frame, written in the Cartesian
+-- components of pseudo-space: the radial unit vector is @x/r@, and the azimuthal one is
+-- that of the right-handed rotation about @+y@. Formulas: Misner, Thorne and Wheeler
+-- 1973, /Gravitation/, §25 and box 31.2.
 module BlackHole.Physics.Observer
   ( Observer (..),
     observerName,
@@ -27,21 +27,22 @@ import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Maybe (fromMaybe)
 import GHC.Exts (lazy)
 
--- | The motion of whoever looks.
+-- | The motion of the observer.
 data Observer
-  = -- | At rest: hovering on rockets.
+  = -- | At rest, hovering on rockets.
     Static
-  | -- | On the circular geodesic through his place, right-handed about the
-    -- axis through the hole that lies closest to @+y@.
+  | -- | On the circular geodesic through the observer's position, right-handed about
+    -- the axis through the hole that lies closest to @+y@.
     Orbiting
-  | -- | Falling straight in, having started from rest at infinity.
+  | -- | Falling straight in from rest at infinity.
     Falling
-  | -- | The report's camera: nobody real. Directions are taken for coordinate
-    -- directions, which draws the hole too large, and light is not shifted.
+  | -- | The camera of the design report, which corresponds to no physical observer. It
+    -- interprets directions as coordinate directions, which makes the hole appear too
+    -- large, and it does not shift light.
     Coordinate
   deriving (Eq, Show, Read, Enum, Bounded)
 
--- | The name on the command line.
+-- | The observer's name on the command line.
 observerName :: Observer -> String
 observerName observer = case observer of
   Static -> "static"
@@ -49,7 +50,7 @@ observerName observer = case observer of
   Falling -> "falling"
   Coordinate -> "coordinate"
 
--- | The smallest radius (exclusive) at which such an observer can exist.
+-- | The radius above which such an observer can exist.
 observerRange :: Spacetime -> Observer -> Double
 observerRange Flat _ = 1
 observerRange Schwarzschild observer = case observer of
@@ -62,37 +63,38 @@ observerRange Schwarzschild observer = case observer of
 data SightLine = SightLine
   { -- | The photon to follow backwards, of unit energy.
     sightPhoton :: !Photon,
-    -- | Frequency seen by the observer over the frequency at infinity: what
+    -- | Frequency seen by the observer over the frequency at infinity. This factor
     -- shifts the light of the sky.
     sightFrequency :: {-# UNPACK #-} !Double
   }
   deriving (Eq, Show)
 
--- | An observer at a place, with what all his lines of sight have in common.
+-- | An observer at a position, prepared with everything that all lines of sight share.
 data Eye = Eye
   { _eyeKind :: !EyeKind,
-    -- | Where he is.
+    -- | The observer's position.
     eyePlace :: {-# UNPACK #-} !XYZ,
     -- | Unit vector away from the hole.
     _eyeRadial :: {-# UNPACK #-} !XYZ,
     -- | √(1 − 1/r).
     _eyeDilation :: {-# UNPACK #-} !Double,
-    -- | √(1/r), the speed of who falls in from rest at infinity.
+    -- | √(1/r), the speed of an observer who falls in from rest at infinity.
     _eyeInfall :: {-# UNPACK #-} !Double,
-    -- | The direction of circular motion, and its speed past the static observer.
+    -- | The direction of circular motion, and its speed relative to the static
+    -- observer.
     _eyeAzimuthal :: {-# UNPACK #-} !XYZ,
     _eyeSpeed :: {-# UNPACK #-} !Double
   }
 
 -- | How directions become paths.
 data EyeKind
-  = -- | No such observer can be there.
+  = -- | No such observer can exist there.
     Nobody
-  | -- | There is no gravity.
+  | -- | Space without gravity.
     InFlatSpace
   | Near !Observer
 
--- | The eye of an observer at a place.
+-- | Prepares an observer at a position for 'sightFrom'.
 eye :: Spacetime -> Observer -> XYZ -> Eye
 eye space observer place = Eye kind place radial (sqrt (1 - 1 / r)) (sqrt (1 / r)) (orbitDirection radial) (sqrt (1 / (2 * (r - 1))))
   where
@@ -108,10 +110,9 @@ eye space observer place = Eye kind place radial (sqrt (1 - 1 / r)) (sqrt (1 / r
 sightLine :: Spacetime -> Observer -> XYZ -> XYZ -> Maybe SightLine
 sightLine space observer place = sightFrom (eye space observer place)
 
--- | The light path that an eye sees in a direction (unit length, pointing away
--- from it). 'Nothing' where he sees the dark because no light comes from outside
--- along it (inside the horizon), or where no such observer exists
--- ('observerRange').
+-- | The light path that the observer sees in a direction (of unit length, pointing away
+-- from the observer). 'Nothing' if no light from outside arrives along it, which
+-- happens inside the horizon, or if no such observer exists ('observerRange').
 sightFrom :: Eye -> XYZ -> Maybe SightLine
 sightFrom prepared !direction = case kind of
   Nobody -> Nothing
@@ -119,32 +120,31 @@ sightFrom prepared !direction = case kind of
   Near Coordinate -> withUnitEnergy (Photon place direction) >>= \photon -> along photon 1
   Near Static -> static direction
   Near Orbiting ->
-    -- The light itself moves along −direction, so what is boosted back into the
-    -- static frame is the momentum −direction; its reverse is the direction seen
-    -- there.
+    -- The light moves along −direction, so the momentum to boost back into the static
+    -- frame is −direction. Its reverse is the direction seen there.
     let forwards = XYZ.dot azimuthal direction
-        -- Frequency in the static frame of light of frequency one here.
+        -- Frequency in the static frame of light that has frequency one here.
         frequency = gamma * (1 - speed * forwards)
         momentum = direction ^+^ ((gamma - 1) * forwards - gamma * speed) *^ azimuthal
      in static ((1 / frequency) *^ momentum) >>= \(SightLine photon shift) -> along photon (shift / frequency)
   Near Falling -> fromEnergy (1 + infall * XYZ.dot radial direction) (direction ^+^ infall *^ radial)
   where
-    -- So that GHC passes the parts of the direction one by one, not those of the
-    -- eye, and no direction is made on the heap.
+    -- Makes GHC pass the components of the direction one by one instead of those of the
+    -- prepared observer, so that no direction is allocated.
     Eye kind place radial dilation infall azimuthal speed = lazy prepared
     gamma = 1 / sqrt (1 - speed * speed)
     along photon shift = Just $! SightLine photon shift
-    -- Light of frequency one to the observer has this energy at infinity and
-    -- this pseudo-velocity; scale both to unit energy.
+    -- Light of frequency one for the observer has this energy at infinity and this
+    -- pseudo-velocity. Scale both to unit energy.
     fromEnergy energy velocity
       | energy > 0 = along (Photon place ((1 / energy) *^ velocity)) (1 / energy)
       | otherwise = Nothing
-    -- The static observer's radial unit of length is shorter than the
-    -- coordinate's: only the radial part of a direction changes.
+    -- The static observer's radial unit of length is shorter than the coordinate's, so
+    -- only the radial component of a direction changes.
     static d = fromEnergy dilation (d ^-^ ((1 - dilation) * XYZ.dot radial d) *^ radial)
 
--- | The direction of circular motion: right-handed about @+y@; over the poles,
--- where that has no direction, towards @+x@.
+-- | The direction of circular motion: right-handed about @+y@. Over the poles, where it
+-- is undefined, @+x@.
 orbitDirection :: XYZ -> XYZ
 orbitDirection radial =
   fromMaybe (XYZ 1 0 0) (XYZ.normalize (XYZ.cross (XYZ 0 1 0) radial))

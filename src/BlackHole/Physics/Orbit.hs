@@ -1,26 +1,25 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | Light paths in the Schwarzschild geometry, in closed form.
+-- | Light paths around a Schwarzschild black hole, in closed form.
 --
--- In its orbital plane a photon follows (lengths in Schwarzschild radii,
--- @u = 1\/r@, φ the angle swept about the hole)
+-- In its orbital plane a photon obeys (lengths in Schwarzschild radii, @u = 1\/r@, φ
+-- the angle swept about the hole)
 --
 -- > (du/dφ)² = 1/b² − u² + u³        u'' = (3/2) u² − u
 --
--- with the impact parameter @b@. The cubic on the right has three real roots
--- @u₁ < 0 < u₂ < 2\/3 < u₃@ for @b > b_c = 3√3\/2@ and only @u₁@ for @b < b_c@;
--- its roots decide between the forms used below.
+-- with the impact parameter @b@. The cubic on the right has three real roots @u₁ < 0 <
+-- u₂ < 2\/3 < u₃@ for @b > b_c = 3√3\/2@, and only @u₁@ for @b < b_c@. The roots decide
+-- which of the forms below applies.
 --
--- /Accuracy./ Nothing here is found by subtracting nearly equal numbers: the
--- distance @4\/27 − 1\/b²@ from the critical orbit is computed as a product of
--- differences from the photon sphere, and the differences of the roots come
--- from sines, not from the roots. What remains is the rounding of the start
--- itself: near @b_c@ angles are as uncertain as 1e-16 \/ |b − b_c|, and far
--- away a relative error of about 1e-16·r builds up in @u@.
+-- /Accuracy./ No result is the difference of nearly equal numbers. The distance @4\/27
+-- − 1\/b²@ from the critical orbit is a product of differences from the photon sphere,
+-- and differences of roots come from sines rather than from the roots. What remains is
+-- the rounding of the start itself: near @b_c@ angles are uncertain by 1e-16 \/ |b −
+-- b_c|, and at a large radius @u@ has a relative error of about 1e-16·r.
 --
--- Sources: Darwin 1959 (Proc. R. Soc. A 249, 180) for the orbits; Byrd and
--- Friedman 233, 236, 239 for the reductions; Whittaker and Watson 20.6 for
--- the solution by initial values.
+-- Sources: Darwin 1959 (Proc. R. Soc. A 249, 180) for the orbits; Byrd and Friedman
+-- 1971, 233, 236 and 239, for the reductions; Whittaker and Watson 1927, 20.6, for the
+-- solution by initial values.
 module BlackHole.Physics.Orbit
   ( -- * Orbits
     Orbit,
@@ -46,50 +45,49 @@ where
 import BlackHole.Physics.Elliptic
 import BlackHole.Physics.Radii (criticalImpactParameter, photonSphereRadius)
 
--- | One photon's path, from its start onward.
+-- | The path of one photon from its start onwards.
 data Orbit = Orbit
-  { -- | @1\/b²@, with which the orbit's equation reads
-    -- @(du\/dφ)² = 1\/b² − u² + u³@. Infinite for a radial photon.
+  { -- | @1\/b²@ in the orbit equation @(du\/dφ)² = 1\/b² − u² + u³@. Infinite for a
+    -- radial photon.
     orbitInvariant :: {-# UNPACK #-} !Double,
     -- | Where the path ends.
     orbitFate :: !OrbitFate,
-    -- | Where the photon, /after/ its start, turns from inward to outward or
-    -- from outward to inward; a photon turns once at most. A start exactly at
-    -- such a point counts, with the angle 0.
+    -- | Where the photon, /after/ its start, turns from inward to outward or from
+    -- outward to inward. A photon turns at most once. A start exactly at such a point
+    -- counts, with the angle 0.
     orbitTurningPoint :: !(Maybe TurningPoint),
-    -- | The swept angle at which the formula would begin to retrace the path
-    -- (beyond infinity, or at the centre).
+    -- | The swept angle at which the formula would begin to retrace the path (beyond
+    -- infinity, or at the centre).
     orbitLastAngle :: {-# UNPACK #-} !Double,
     -- | @4\/27 − 1\/b²@.
     orbitExcess :: {-# UNPACK #-} !Double,
     orbitPath :: !Path
   }
 
--- | What becomes of a photon. Swept angles are in radians, counted from the
--- start.
+-- | The end of a photon's path. Swept angles are in radians from the start.
 data OrbitFate
-  = -- | It goes to infinity; the angle swept up to there.
+  = -- | The photon goes to infinity; the angle swept up to there.
     Escapes {-# UNPACK #-} !Double
-  | -- | It falls through the horizon; the angle swept when it crosses @r = 1@
-    -- inward, 0 for a photon that starts inside and moves inward.
+  | -- | The photon falls through the horizon; the angle swept when it crosses @r = 1@
+    -- inward. The angle is 0 for a photon that starts inside and moves inward.
     Captured {-# UNPACK #-} !Double
-  | -- | It winds towards the photon sphere for ever, or circles on it: only for
-    -- a start that is critical in every bit.
+  | -- | The photon approaches the photon sphere for ever, or circles on it. This
+    -- happens only for a start that is critical to the last bit.
     Circles
   deriving (Eq, Show)
 
--- | A closest or farthest point of a path.
+-- | The closest or farthest point of a path.
 data TurningPoint = TurningPoint
-  { -- | Radians swept from the start up to here.
+  { -- | Radians swept from the start up to this point.
     turningAngle :: {-# UNPACK #-} !Double,
-    -- | Distance from the centre, in Schwarzschild radii: greater than 3\/2
-    -- for a closest point, less for a farthest one.
+    -- | Distance from the centre in Schwarzschild radii: greater than 3\/2 for a
+    -- closest point, smaller for a farthest one.
     turningRadius :: {-# UNPACK #-} !Double
   }
   deriving (Eq, Show)
 
--- | The forms of the solution. Phases are arguments of the elliptic functions,
--- counted from @u₁@ or from the centre, negative while moving towards it.
+-- | The forms of the solution. Phases are arguments of the elliptic functions, measured
+-- from @u₁@ or from the centre, and negative while moving towards it.
 data Path
   = -- | Between @u₁@ and @u₂@: @u = u₁ + (u₂ − u₁) sn²@.
     Outside
@@ -112,7 +110,7 @@ data Path
       {-# UNPACK #-} !Double -- phase at the start
       {-# UNPACK #-} !Double -- phase per radian, √A
       !Modulus
-  | -- | One real root, from the values at the start.
+  | -- | One real root, in terms of the values at the start.
     Plunging
       {-# UNPACK #-} !Double -- u at the start
       {-# UNPACK #-} !Double -- du/dφ at the start
@@ -121,27 +119,27 @@ data Path
       {-# UNPACK #-} !Double -- m₁
       {-# UNPACK #-} !Double -- phase per radian, √A
       !Modulus
-  | -- | Constant @u@: a circular or a radial photon.
+  | -- | Constant @u@: a circling or a radial photon.
     Constant {-# UNPACK #-} !Double
 
--- | The orbit of a photon from its starting radius @r > 0@ (in Schwarzschild
--- radii, inside the horizon too) and its pseudo-velocity there: the radial
--- component (positive outward) and the tangential component (@h\/r@; its sign
--- is ignored). Only their ratio counts:
+-- | The orbit of a photon from its starting radius @r > 0@ (in Schwarzschild radii; the
+-- start may lie inside the horizon) and the components of its pseudo-velocity: radial
+-- (positive outwards) and tangential (@h\/r@; the sign is ignored). Only their ratio
+-- matters:
 --
 -- > du/dφ = −v_r / (r v_t)
 --
--- For a static observer who sees the photon's path at the angle ψ from the
--- inward radial direction, @v_r : v_t = −cos ψ √(1−1\/r) : sin ψ@.
+-- For a static observer who sees the photon's path at the angle ψ from the inward
+-- radial direction, @v_r : v_t = −cos ψ √(1−1\/r) : sin ψ@.
 --
--- A photon without tangential motion (or with @b@ below 1e-150) is /radial/:
--- it sweeps no angle, so that 'orbitInverseRadius' is constant and its fate
--- (with the angle 0) follows from the sign of @v_r@.
+-- A photon without tangential motion (or with @b@ below 1e-150) is /radial/: it sweeps
+-- no angle. 'orbitInverseRadius' is then constant, and the fate, with the angle 0,
+-- follows from the sign of @v_r@.
 --
--- Data that no photon can have (@1\/b² < 0@, possible only inside the horizon)
--- are read as @1\/b² = 0@: they arise from rounding.
+-- Values that no photon can have (@1\/b² < 0@, possible only inside the horizon) arise
+-- from rounding and count as @1\/b² = 0@.
 --
--- Costs some twenty evaluations of 'orbitInverseRadius'.
+-- Costs about twenty evaluations of 'orbitInverseRadius'.
 orbit :: Double -> Double -> Double -> Orbit
 orbit r vr vt
   | vt == 0 || invariant >= 1e300 = radialOrbit u0 vr
@@ -155,13 +153,13 @@ orbit r vr vt
     invariant = max 0 (slope * slope + u0 * u0 * ((r - 1) / r))
     -- 3 − 2r is exact near the photon sphere.
     epsilon = (3 - 2 * r) / (3 * r)
-    -- 4/27 − 1/b², as a difference of squares, so that light aimed at the
-    -- photon sphere from close by keeps all its digits.
+    -- 4/27 − 1/b² as a difference of squares, so that light aimed at the photon sphere
+    -- from nearby keeps all its digits.
     reach = abs epsilon * sqrt (u0 + 1 / 3)
     excess = (reach - abs slope) * (reach + abs slope)
     start = Start u0 epsilon slope invariant excess
 
--- | Starting values of an orbit.
+-- | The starting values of an orbit.
 data Start
   = Start
       {-# UNPACK #-} !Double -- u
@@ -192,8 +190,8 @@ circularOrbit u0 invariant =
       orbitPath = Constant u0
     }
 
--- | The three real roots of @u³ − u² + 1\/b²@ and what the closed forms need
--- of them.
+-- | The three real roots of @u³ − u² + 1\/b²@, and the differences that the closed
+-- forms need.
 data Roots = Roots
   { rootLow :: {-# UNPACK #-} !Double,
     -- | @u₂@.
@@ -213,9 +211,9 @@ data Roots = Roots
 
 -- | The roots for @1\/b²@ and @4\/27 − 1\/b²@, both at least 0.
 --
--- Viète's angle of the cubic comes from its two ends: the sum @s + t = π\/3@,
--- @s@ vanishing with @4\/27 − 1\/b²@ and @t@ with @1\/b²@. Each difference of
--- roots is then a multiple of one sine and has full relative accuracy.
+-- Viète's angle of the cubic is computed from both ends: @s + t = π\/3@, where @s@
+-- vanishes with @4\/27 − 1\/b²@ and @t@ with @1\/b²@. Each difference of roots is then
+-- a multiple of one sine and has full relative accuracy.
 roots :: Double -> Double -> Roots
 roots invariant excess =
   Roots
@@ -241,8 +239,8 @@ roots invariant excess =
     horizonGap = 2 * bend
     twoThirdsSineSquared x = let y = sin x in 2 / 3 * y * y
 
--- | From outside the photon sphere with @b ≥ b_c@: in to the closest point and
--- out again, or out at once.
+-- | From outside the photon sphere with @b ≥ b_c@: inwards to the closest point and out
+-- again, or straight outwards.
 outsideOrbit :: Start -> Orbit
 outsideOrbit (Start u0 epsilon slope invariant excess) =
   Orbit
@@ -262,8 +260,8 @@ outsideOrbit (Start u0 epsilon slope invariant excess) =
     md = modulus m1
     k = quarterPeriod md
     rate = 0.5 * sqrt (rootFullSpan rt)
-    -- u₂ − u from the slope: as a difference it would have no digits left
-    -- close to the turning point.
+    -- u₂ − u from the slope; the direct difference would lose all digits close to the
+    -- turning point.
     phase =
       firstQuadrantF
         m1
@@ -279,8 +277,8 @@ outsideOrbit (Start u0 epsilon slope invariant excess) =
         Just $! TurningPoint (max 0 ((k - phase) / rate)) (1 / rootMiddle rt)
       | otherwise = Nothing
 
--- | From inside the photon sphere with @b ≥ b_c@: out to the farthest point and
--- back into the hole, or in at once.
+-- | From inside the photon sphere with @b ≥ b_c@: outwards to the farthest point and
+-- back into the hole, or straight inwards.
 insideOrbit :: Start -> Orbit
 insideOrbit (Start u0 epsilon slope invariant excess) =
   Orbit
@@ -315,7 +313,7 @@ insideOrbit (Start u0 epsilon slope invariant excess) =
         Just $! TurningPoint (max 0 ((k - phase) / rate)) (1 / rootHigh rt)
       | otherwise = Nothing
 
--- | With @b < b_c@: no turning point, in or out for good.
+-- | With @b < b_c@: inwards or outwards without a turning point.
 plungingOrbit :: Start -> Orbit
 plungingOrbit (Start u0 epsilon slope invariant excess) =
   Orbit
@@ -327,15 +325,15 @@ plungingOrbit (Start u0 epsilon slope invariant excess) =
       orbitPath = path
     }
   where
-    -- The real root is 1/3 − (2/3) cosh η, the others 1/3 + (1/3) cosh η
-    -- ± (i/√3) sinh η.
+    -- The real root is 1/3 − (2/3) cosh η, the others 1/3 + (1/3) cosh η ± (i/√3) sinh
+    -- η.
     eta = 2 / 3 * asinh (0.5 * sqrt (-27 * excess))
     sinhEta = sinh eta
     coshEta = cosh eta
     sinhHalf = sinh (0.5 * eta)
     u1 = (1 - 2 * coshEta) / 3
     a = sqrt (coshEta * coshEta + sinhEta * sinhEta / 3)
-    -- A − 1 without the subtraction.
+    -- A − 1, without the subtraction.
     aMinusOne = 4 / 3 * sinhEta * sinhEta / (a + 1)
     m1 = sinhEta * sinhEta / (6 * a * (a + coshEta))
     md = modulus m1
@@ -343,24 +341,24 @@ plungingOrbit (Start u0 epsilon slope invariant excess) =
     rate = sqrt a
     inward = slope >= 0
     height = u0 - u1
-    -- tan²(am/2) = (u − u₁)/A; the cosine of the amplitude is in proportion to
-    -- A − (u − u₁), here from the distance of u from the photon sphere.
+    -- tan²(am/2) = (u − u₁)/A. The cosine of the amplitude is proportional to A − (u −
+    -- u₁), computed here from the distance between u and the photon sphere.
     phaseOf h eps =
       let cosine = aMinusOne - eps - 4 / 3 * sinhHalf * sinhHalf
           f = firstQuadrantF m1 (4 * a * h) (cosine * cosine)
        in if cosine >= 0 then f else 2 * k - f
     phase = phaseOf height epsilon
     path
-      -- The solution by initial values does not know where the real root lies,
-      -- and so loses nothing when it is far off (|u₁| ~ b^(−2/3) for small b).
-      -- It has a removable singularity where u takes its starting value a
-      -- second time, to which paths from near or inside the photon sphere come
-      -- close. At height 0.7 A both effects are harmless.
+      -- The solution by initial values does not use the position of the real root, so
+      -- it loses no accuracy when the root is far away (|u₁| ~ b^(−2/3) for small b).
+      -- It has a removable singularity where u takes its starting value a second time,
+      -- and paths from near or inside the photon sphere come close to that point. At
+      -- height 0.7 A both effects are harmless.
       | height <= 0.7 * a = Plunging u0 slope a height m1 rate md
       | otherwise = Phased u1 a (if inward then phase else -phase) rate md
-    -- One Newton step makes the angle at the end accurate relative to itself,
-    -- as the nearly radial photon needs. Both at infinity and at the horizon
-    -- the slope is exactly 1/b.
+    -- One Newton step makes the angle at the end accurate relative to itself, which a
+    -- nearly radial photon needs. At infinity and at the horizon the slope is exactly
+    -- 1/b.
     refined target angle = angle + (target - inverseRadiusOn path angle) / endSlope
     endSlope = if inward then sqrt invariant else -(sqrt invariant)
     fate
@@ -368,18 +366,17 @@ plungingOrbit (Start u0 epsilon slope invariant excess) =
       | inward = Captured (max 0 (refined 1 ((phaseOf (1 - u1) (1 / 3) - phase) / rate)))
       | otherwise = Escapes (refined 0 ((phase - phaseOf (-u1) (-2 / 3)) / rate))
 
--- | Inverse radius @u = 1\/r@ after the photon has swept an angle (radians, at
--- least 0). From the angle of escape onward at most 0, from the angle of capture
--- onward at least 1 (both up to rounding), so that it is safe to ask beyond the
--- end of the path.
+-- | The inverse radius @u = 1\/r@ after the photon has swept an angle in radians, at
+-- least 0. Angles beyond the end of the path are safe: from the angle of escape on the
+-- result is at most 0, from the angle of capture on at least 1 (both up to rounding).
 --
--- One exponential or sine (and a square root for a plunging photon) and some
--- forty multiplications, wherever the angle lies; no allocation.
+-- Costs one exponential or sine (and a square root for a plunging photon) and about
+-- forty multiplications for any angle; allocates nothing.
 orbitInverseRadius :: Orbit -> Double -> Double
 orbitInverseRadius o angle = inverseRadiusOn (orbitPath o) (min angle (orbitLastAngle o))
 
--- | Inverse radius @u@ and slope @du\/dφ@, on the terms of
--- 'orbitInverseRadius', in twice its time.
+-- | The inverse radius @u@ and the slope @du\/dφ@, under the conditions of
+-- 'orbitInverseRadius' and in twice its time.
 orbitInverseRadiusAndSlope :: Orbit -> Double -> (Double, Double)
 orbitInverseRadiusAndSlope o angle = case orbitPath o of
   Outside u1 span21 phase rate md ->
@@ -394,8 +391,8 @@ orbitInverseRadiusAndSlope o angle = case orbitPath o of
   Constant u -> (u, 0)
   where
     phi = min angle (orbitLastAngle o)
-    -- Below b_c both terms are positive while u > −1/3: no cancellation, and no
-    -- change of sign on the way.
+    -- Below b_c both terms are positive while u > −1/3, so there is no cancellation and
+    -- no change of sign along the way.
     withSlope direction u =
       strictPair u (direction * sqrt (max 0 ((u - 2 / 3) * (u - 2 / 3) * (u + 1 / 3) - orbitExcess o)))
     -- A lazy pair would keep the whole orbit alive in two thunks.
@@ -409,8 +406,8 @@ inverseRadiusOn path !phi = case path of
     let t = tanHalfAmplitude md (phase + rate * phi)
      in u1 + a * t * t
   Plunging u0 slope a height m1 rate md ->
-    -- Whittaker and Watson 20.6 with 4℘(φ) + 1/3 = u₁ + A/t², freed of the
-    -- poles at φ = 0.
+    -- Whittaker and Watson 20.6 with 4℘(φ) + 1/3 = u₁ + A/t², without the poles at φ =
+    -- 0.
     let t = tanHalfAmplitude md (rate * phi)
         t2 = t * t
         g = a - height * t2
@@ -419,29 +416,29 @@ inverseRadiusOn path !phi = case path of
      in u0 + (2 * slope * (slope * t2 * t2 + curl * t) + halfForce * t2 * g) / (g * g)
   Constant u -> u
 
--- | The closest point to the hole, if the photon passes it after its start (or
--- starts there): nothing for photons that move outward, fall in, or turn at a
--- farthest point.
+-- | The radius of the point closest to the hole, if the photon passes it after its
+-- start or starts there. 'Nothing' for photons that move outwards, fall in, or turn at
+-- a farthest point.
 orbitClosestApproach :: Orbit -> Maybe Double
 orbitClosestApproach o = case orbitTurningPoint o of
   Just (TurningPoint _ r) | r > photonSphereRadius -> Just r
   _ -> Nothing
 
--- | The impact parameter @b@, in Schwarzschild radii: 0 for a radial photon,
--- infinite for one of zero energy (inside the horizon).
+-- | The impact parameter @b@ in Schwarzschild radii: 0 for a radial photon, infinite
+-- for one of zero energy (inside the horizon).
 orbitImpactParameter :: Orbit -> Double
 orbitImpactParameter o = 1 / sqrt (orbitInvariant o)
 
--- | How far light from infinity is turned on its way to infinity, in radians, by
--- its impact parameter. 'Nothing' when it does not come out again: for @b@ at
--- or below the true @3√3\/2@ (and for NaN).
+-- | The deflection in radians of light that comes from infinity and returns there, by
+-- its impact parameter. 'Nothing' if the light does not return: for @b@ at or below the
+-- true @3√3\/2@, and for NaN.
 --
--- Relative accuracy a few 1e-16 for large @b@, absolute accuracy 1e-15 for
--- small, and 1e-16 \/ (b − b_c) near the critical value.
+-- The relative accuracy is a few 1e-16 for large @b@; the absolute accuracy is 1e-15
+-- for small @b@ and 1e-16 \/ (b − b_c) near the critical value.
 --
--- Source: Darwin 1959; beyond @b = 20@ the expansion in @1\/b@, whose terms
--- are @√π Γ((3n+1)\/2) \/ (n! Γ(n\/2+1)) b⁻ⁿ@, since there the closed form
--- would be a small difference from π. At most twenty terms.
+-- Source: Darwin 1959. Beyond @b = 20@, where the closed form would be a small
+-- difference from π, the expansion in @1\/b@ with the terms @√π Γ((3n+1)\/2) \/ (n!
+-- Γ(n\/2+1)) b⁻ⁿ@ replaces it, with at most twenty terms.
 deflectionAngle :: Double -> Maybe Double
 deflectionAngle b
   | b > 20 = Just (weakField (1 / b))
@@ -455,27 +452,27 @@ deflectionAngle b
       2 / sqrt (rootFullSpan rt)
         * (completeK m1 - firstQuadrantF m1 (-(rootLow rt)) (rootMiddle rt))
 
--- | @4\/27 − 1\/b²@, exact to the last digit of @b@: the 'Double' next to
--- @3√3\/2@ is corrected by what it lacks.
+-- | @4\/27 − 1\/b²@, exact to the last digit of @b@: corrected by the difference
+-- between the 'Double' next to @3√3\/2@ and that number.
 excessOf :: Double -> Double
 excessOf b = 4 / 27 * gap / b * ((b + criticalImpactParameter) / b)
   where
     gap = (b - criticalImpactParameter) + 7.151834159792767e-17
 
--- | Sum of the expansion of the deflection in @1\/b@, without its term π.
+-- | The sum of the expansion of the deflection in @1\/b@, without the term π.
 weakField :: Double -> Double
 weakField x = go 1 (2 * x) (15 / 16 * pi * x * x) 0
   where
-    -- The ratio of every second term is rational.
+    -- The ratio of every other term is rational.
     go :: Double -> Double -> Double -> Double -> Double
     go !n !term !following !total
       | term <= 1e-18 * total = total
       | otherwise = go (n + 1) following (term * ratio n) (total + term)
     ratio n = 0.75 * (3 * n + 1) * (3 * n + 5) / ((n + 2) * (n + 2)) * x * x
 
--- | The closest approach @r₀@ of light from infinity, in Schwarzschild radii, by
--- its impact parameter; 'Nothing' as for 'deflectionAngle'. Relative accuracy
--- 1e-15, except near @b_c@ where @r₀ − 3\/2@ varies as @√(b − b_c)@.
+-- | The closest approach @r₀@ of light from infinity in Schwarzschild radii, by its
+-- impact parameter; 'Nothing' as for 'deflectionAngle'. The relative accuracy is 1e-15,
+-- except near @b_c@, where @r₀ − 3\/2@ varies as @√(b − b_c)@.
 closestApproach :: Double -> Maybe Double
 closestApproach b
   | b > 0 && excess > 0 = Just (1 / rootMiddle (roots (1 / b / b) excess))

@@ -1,7 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | Everything worth knowing about one light path, from the closed form and
--- from the leapfrog, so that one can be held against the other.
+-- | A report on one light path, from the closed form or from the leapfrog, and the
+-- difference between two reports.
 module BlackHole.Physics.PathReport
   ( PathReport (..),
     exactReport,
@@ -22,37 +22,37 @@ import BlackHole.Physics.Spacetime (Spacetime (Schwarzschild))
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
 import qualified BlackHole.Vector.XYZ as XYZ
 
--- | One light path. Lengths in Schwarzschild radii, angles in radians.
+-- | The report. Lengths are in Schwarzschild radii, angles in radians.
 data PathReport = PathReport
-  { -- | @captured@, @escaped@, @circles@ (critical in every bit), or
-    -- @step limit@.
+  { -- | @captured@, @escaped@, @circles@ (critical to the last bit), or @step limit@.
     reportFate :: !String,
-    -- | The leapfrog's is that of the last state.
+    -- | For the leapfrog, the impact parameter of the last state.
     reportImpactParameter :: !(Maybe Double),
-    -- | From the start to infinity or to the horizon.
+    -- | Angle swept from the start to infinity or to the horizon.
     reportSweptAngle :: !(Maybe Double),
     -- | See 'courseDeflection'.
     reportDeflection :: !(Maybe Double),
     reportClosestApproach :: !(Maybe Double),
     reportCrossings :: ![Crossing],
-    -- | Steps of the integrator, or points at which the exact path was
+    -- | Steps of the integrator, or the number of points at which the exact path was
     -- evaluated.
     reportSteps :: !Int,
-    -- | Greatest @|h − h₀| \/ h₀@ along the path; 'Nothing' for a radial one.
+    -- | Greatest @|h − h₀| \/ h₀@ along the path; 'Nothing' for a radial path.
     reportAngularMomentumDrift :: !(Maybe Double),
     -- | Greatest @|E − E₀| \/ E₀@ along the path.
     reportEnergyDrift :: !(Maybe Double),
-    -- | Points to draw the path from.
+    -- | Points from which to draw the path.
     reportPath :: ![PathPoint]
   }
   deriving (Eq, Show)
 
--- | A point of a path: swept angle and place.
+-- | A point of a path: swept angle in radians, and position.
 data PathPoint = PathPoint !Double !XYZ
   deriving (Eq, Show)
 
--- | @exactReport drawn course@, the path drawn out to a radius (or to the
--- start, if that is farther). What the drifts show is rounding.
+-- | @exactReport drawn course@ is the report from the closed form. Its points reach out
+-- to the radius @drawn@, or to the start if that is farther. Its drifts show rounding
+-- alone.
 exactReport :: Double -> Course -> PathReport
 exactReport drawn course =
   PathReport
@@ -80,14 +80,14 @@ driftOf quantity photons = case map quantity photons of
   first : rest | first > 0 -> Just (foldl max 0 [abs (q - first) / first | q <- rest])
   _ -> Nothing
 
--- | Where the leapfrog takes up a path from infinity and where it leaves one
--- that escapes: the renderer's celestial sphere, unless the path itself is
--- farther out.
+-- | The radius at which the leapfrog starts on a path from infinity and leaves a path
+-- that escapes: the renderer's celestial sphere, or beyond the path's own start if that
+-- is farther out.
 leapfrogStartRadius :: Course -> Double
 leapfrogStartRadius course =
   max (leapfrogSkyRadius defaultLeapfrog) (2 * courseImpactParameter course)
 
--- | What the loop carries along.
+-- | The state of the loop.
 data Walk = Walk
   { walkSteps :: !Int,
     walkPhoton :: !Photon,
@@ -95,23 +95,22 @@ data Walk = Walk
     walkMomentumDrift :: !Double,
     walkEnergyDrift :: !Double,
     walkClosest :: !(Maybe Double),
-    -- | Latest first, as the path.
+    -- | Latest first, like the path.
     walkCrossings :: ![Crossing],
     walkPath :: ![PathPoint]
   }
 
--- | The same path followed with the leapfrog, @leapfrogReport rule drawn
--- course@. The path from infinity is taken up on the exact orbit at
--- 'leapfrogStartRadius', and what is left of an escaping path beyond that
--- radius is again added in closed form: the difference to 'exactReport' is the
--- integrator's error alone.
+-- | @leapfrogReport rule drawn course@ is the report from the leapfrog. A path from
+-- infinity starts on the exact orbit at 'leapfrogStartRadius', and the rest of an
+-- escaping path beyond that radius is added in closed form, so the difference from
+-- 'exactReport' is the error of the integrator alone.
 --
--- Crossings, the closest point and the horizon are found within a step on the
--- cubic through its ends, which is more accurate than the steps are.
+-- Crossings, the closest point and the horizon are located within a step on the cubic
+-- through its ends, which is more accurate than the steps are.
 --
--- With 'ReportSteps' the error stops to fall at about 1e-5 radians, whatever
--- the base length: beyond @r = 40@ that rule's steps are always 10. At most
--- twenty million steps, about 0.2 µs each.
+-- With 'ReportSteps' the error stops falling at about 1e-5 radians whatever the base
+-- length, because that rule's steps beyond @r = 40@ always have the length 10. Takes at
+-- most twenty million steps of about 0.2 µs each.
 leapfrogReport :: StepRule -> Double -> Course -> PathReport
 leapfrogReport rule farthest course = case courseEntry radius course of
   Nothing -> ended "step limit" Nothing (Walk 0 (Photon XYZ.zero XYZ.zero) 0 0 0 Nothing [] [])
@@ -193,18 +192,18 @@ leapfrogReport rule farthest course = case courseEntry radius course of
             if courseImpactParameter course > 0
               then Just (walkMomentumDrift walk / courseImpactParameter course)
               else Nothing,
-          -- Paths have unit energy, and so E is one half.
+          -- Paths have unit energy, so E is one half.
           reportEnergyDrift = Just (2 * walkEnergyDrift walk),
           reportPath = reverse (filter (\(PathPoint _ p) -> XYZ.norm p <= drawnRadius) (walkPath walk))
         }
       where
         escapedSweep = if fate == "escaped" then swept else Nothing
-    -- What a straight line sweeps, which the exact path knows.
+    -- The angle of a straight line, taken from the exact path.
     straightSweep = case courseFate course of
       Escapes angle -> (angle -) <$> courseDeflection course
       _ -> Nothing
 
--- | The cubic through the ends of a step, at a fraction of it.
+-- | The cubic through the ends of a step, at a fraction of the step.
 alongStep :: Double -> Photon -> Photon -> Double -> Photon
 alongStep dt (Photon x v) (Photon x' v') s =
   Photon
@@ -219,7 +218,7 @@ alongStep dt (Photon x v) (Photon x' v') s =
   where
     s2 = s * s
 
--- | Where in an interval a condition stops to hold.
+-- | The point of an interval at which a condition stops holding.
 halve :: (Double -> Bool) -> Int -> Double -> Double -> Double
 halve holds = go
   where
@@ -230,8 +229,8 @@ halve holds = go
       where
         middle = 0.5 * (low + high)
 
--- | One report's values less another's. A value that one of them lacks has no
--- difference, and crossings are compared in their order.
+-- | The values of one report less those of another. A value missing from either report
+-- has no difference; crossings are compared in order.
 data PathDifference = PathDifference
   { differenceImpactParameter :: !(Maybe Double),
     differenceSweptAngle :: !(Maybe Double),
@@ -257,7 +256,7 @@ reportDifference a b =
     }
   where
     by field = (-) <$> field a <*> field b
-    -- The way to infinity and the way to the horizon don't compare.
+    -- The angle to infinity and the angle to the horizon cannot be compared.
     sameEnd value = if reportFate a == reportFate b then value else Nothing
     crossing (Crossing r azimuth g) (Crossing r' azimuth' g') =
       Crossing (r - r') (wrapped (azimuth - azimuth')) (g - g')

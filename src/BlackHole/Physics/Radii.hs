@@ -1,5 +1,5 @@
--- | The landmark radii of a Schwarzschild black hole, in units of the
--- Schwarzschild radius (@r_s = 2M = 1@).
+-- | The characteristic radii of a Schwarzschild black hole, in Schwarzschild radii
+-- (@r_s = 2M = 1@).
 module BlackHole.Physics.Radii
   ( horizonRadius,
     photonSphereRadius,
@@ -13,12 +13,11 @@ where
 horizonRadius :: Double
 horizonRadius = 1
 
--- | The photon sphere: light can circle here, unstably.
+-- | The photon sphere, on which light can circle, unstably.
 photonSphereRadius :: Double
 photonSphereRadius = 1.5
 
--- | The marginally bound circular orbit of matter: its energy equals its rest
--- mass.
+-- | The marginally bound circular orbit of matter, whose energy equals its rest mass.
 marginallyBoundRadius :: Double
 marginallyBoundRadius = 2
 
@@ -26,8 +25,7 @@ marginallyBoundRadius = 2
 iscoRadius :: Double
 iscoRadius = 3
 
--- | @3√3\/2@: light coming in from infinity falls into the hole exactly when
--- its impact parameter is smaller. The nearest 'Double' lies 7.2e-17 above the
--- true value.
+-- | @3√3\/2@: light from infinity falls into the hole exactly if its impact parameter
+-- is smaller. The nearest 'Double' is 7.2e-17 above the true value.
 criticalImpactParameter :: Double
 criticalImpactParameter = 2.598076211353316

@@ -1,19 +1,20 @@
--- | The spaces that light can be followed through.
+-- | The spacetimes that light can travel through.
 module BlackHole.Physics.Spacetime
   ( Spacetime (..),
     pullOfGravity,
   )
 where
 
--- | A space with a black body of radius one at its origin.
+-- | A spacetime with a black body of radius one at its origin.
 data Spacetime
-  = -- | Around a hole that does not rotate; Schwarzschild radius 1.
+  = -- | Around a hole that does not rotate; the Schwarzschild radius is 1.
     Schwarzschild
-  | -- | Without gravity: straight rays, and a black ball instead of a hole.
+  | -- | Without gravity: straight rays, and a black ball in place of the hole.
     Flat
   deriving (Eq, Show, Read, Enum, Bounded)
 
--- | The factor of @−h² x / r⁵@ in a photon's acceleration.
+-- | The factor of @−h² x / r⁵@ in a photon's acceleration: 3/2 around a hole, 0 without
+-- gravity.
 pullOfGravity :: Spacetime -> Double
 pullOfGravity Schwarzschild = 1.5
 pullOfGravity Flat = 0

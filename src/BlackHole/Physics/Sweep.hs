@@ -1,10 +1,10 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | One light path in its plane, cut into cells of swept angle: how
--- "BlackHole.Physics.SweptPath" gets at the inverse radius @u = 1\/r@.
+-- | A light path in its plane, cut into cells of swept angle.
 --
--- In the middle of each cell the path knows @u@ and its slope; from there the
--- path's own differential equation continues it ('expand').
+-- In the middle of each cell the inverse radius @u = 1\/r@ and its slope are known;
+-- from there the path's differential equation continues them ('expand').
+-- "BlackHole.Physics.SweptPath" follows light along such paths.
 module BlackHole.Physics.Sweep
   ( Sweep (..),
     SweepEnd (..),
@@ -25,30 +25,29 @@ where
 import BlackHole.Physics.Orbit
 import Data.Primitive.PrimArray (PrimArray, indexPrimArray)
 
--- | A path from its start to its end. Angles in radians, counted from the
--- start.
+-- | A path from its start to its end. Angles are in radians from the start.
 data Sweep = Sweep
   { sweepEnd :: !SweepEnd,
     -- | The angle swept up to the end, at least 0.
     sweepAngle :: {-# UNPACK #-} !Double,
-    -- | Into how many cells of equal angle it is cut, at least 1.
+    -- | The number of cells of equal angle, at least 1.
     sweepCells :: {-# UNPACK #-} !Int,
     sweepWaypoints :: !Waypoints
   }
 
--- | Where a path ends.
+-- | The end of a path.
 data SweepEnd
-  = -- | At infinity: cosine and sine of the swept angle.
+  = -- | At infinity; cosine and sine of the swept angle.
     Leaves {-# UNPACK #-} !Double {-# UNPACK #-} !Double
   | -- | At the horizon.
     FallsIn
-  | -- | Nowhere: only for a start that is critical in every bit.
+  | -- | Nowhere: only for a start that is critical to the last bit.
     CirclesOn
 
--- | Where the values in the middles of the cells come from.
+-- | The source of the values in the middles of the cells.
 data Waypoints
-  = -- | Two rows of a table of neighbouring paths and the weights of
-    -- Hermite's interpolation between them.
+  = -- | Two rows of a table of neighbouring paths, and the weights of Hermite's
+    -- interpolation between them.
     BetweenRows
       !(PrimArray Double)
       {-# UNPACK #-} !Int -- first waypoint of the one row
@@ -59,24 +58,24 @@ data Waypoints
       {-# UNPACK #-} !Double
   | -- | The closed form.
     OfOrbit !Orbit
-  | -- | A straight line: u and du/dφ at its start.
+  | -- | A straight line; u and du/dφ at its start.
     OfLine {-# UNPACK #-} !Double {-# UNPACK #-} !Double
 
--- | The angle of one cell.
+-- | The angle of one cell in radians.
 sweepSpacing :: Sweep -> Double
 sweepSpacing sweep = sweepAngle sweep / fromIntegral (sweepCells sweep)
 {-# INLINE sweepSpacing #-}
 
--- | @u@ and @du\/dφ@ in the middle of a cell, given the angle of a cell and the
--- cell's number, from 0 to the number of cells less one.
+-- | @u@ and @du\/dφ@ in the middle of a cell, from the angle of a cell and the number
+-- of the cell, counted from 0.
 waypoint :: Waypoints -> Double -> Int -> (Double, Double)
 waypoint source !spacing !cell = case source of
   BetweenRows table row row' v0 d0 v1 d1 ->
     let at k = indexPrimArray table (row + 4 * cell + k)
         at' k = indexPrimArray table (row' + 4 * cell + k)
         mixed k = v0 * at k + d0 * at (k + 1) + v1 * at' k + d1 * at' (k + 1)
-     in -- The table holds the slope per cell, which stays finite for light
-        -- that falls straight in.
+     in -- The table holds the slope per cell, which stays finite for light that falls
+        -- straight in.
         (mixed 0, mixed 2 / spacing)
   OfOrbit path -> orbitInverseRadiusAndSlope path ((fromIntegral cell + 0.5) * spacing)
   OfLine u slope ->
@@ -86,12 +85,12 @@ waypoint source !spacing !cell = case source of
      in (u * c + slope * s, slope * c - u * s)
 {-# NOINLINE waypoint #-}
 
--- | The widest cell, in radians. A path's nearest singularity is some two
--- radians away, so that the terms left out of 'Expansion' are below 1e-9.
+-- | The widest cell in radians. The nearest singularity of a path is about two radians
+-- away, so the terms omitted from 'Expansion' are below 1e-9.
 widestCell :: Double
 widestCell = 0.4
 
--- | A path in closed form.
+-- | The path of an orbit in closed form.
 orbitSweep :: Orbit -> Sweep
 orbitSweep path = case orbitFate path of
   Escapes angle -> sweep (Leaves (cos angle) (sin angle)) angle
@@ -100,9 +99,8 @@ orbitSweep path = case orbitFate path of
   where
     sweep end angle = Sweep end angle (max 2 (ceiling (angle / widestCell))) (OfOrbit path)
 
--- | A straight line that passes the centre at the distance @b@, from the
--- inverse radius and slope at its start, which ends on the black ball of radius
--- one if it meets it.
+-- | The straight line that passes the centre at the distance @b@, from the inverse
+-- radius and slope at its start. It ends on the black ball of radius one if it hits it.
 lineSweep :: Double -> Double -> Sweep
 lineSweep u slope
   | meets = sweep FallsIn (angleAt 1)
@@ -116,7 +114,7 @@ lineSweep u slope
     leaving = pi - start
     sweep end angle = Sweep end angle (max 2 (ceiling (angle / widestCell))) (OfLine u slope)
 
--- | A path around a waypoint, by powers of the angle from it.
+-- | A power series of a path in the angle from a waypoint.
 data Expansion
   = Expansion
       {-# UNPACK #-} !Double
@@ -129,9 +127,9 @@ data Expansion
       {-# UNPACK #-} !Double
       {-# UNPACK #-} !Double
 
--- | @expand pull u slope@: the solution of @u'' = pull u² − u@ with these
--- values, where the pull is 3\/2 around a hole and 0 in empty space. The
--- coefficients follow from each other by comparing powers.
+-- | @expand pull u slope@ is the solution of @u'' = pull u² − u@ with the given values
+-- at the waypoint. The pull is 3\/2 around a hole and 0 in empty space. The
+-- coefficients follow by comparing powers.
 expand :: Double -> Double -> Double -> Expansion
 expand !pull !u !slope = Expansion c0 c1 c2 c3 c4 c5 c6 c7 c8
   where

@@ -1,12 +1,11 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | Light followed from one passage through the gas to the next.
+-- | Light paths evaluated only where they pass through the gas.
 --
--- A path's plane cuts the disk's plane every half turn, at swept angles that
--- follow from the directions alone. Around each of these crossings lies the
--- interval in which the path can be among the gas; nothing in between needs to
--- be looked at. Within an interval the path is a power series
--- ("BlackHole.Physics.Sweep").
+-- The plane of a path cuts the disk's plane every half turn, at swept angles that
+-- follow from the directions alone. Each of these crossings lies in an interval in
+-- which the path can be inside the gas; outside these intervals nothing needs to be
+-- evaluated. Within an interval the path is a power series ("BlackHole.Physics.Sweep").
 module BlackHole.Physics.SweptPath
   ( followSwept,
     sweptFate,
@@ -26,8 +25,8 @@ import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^), (^-^))
 import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Maybe (fromMaybe)
 
--- | The path of a photon of unit energy from a table of its starting place, by
--- its radial and tangential velocity; a straight line where there is no gravity.
+-- | The path of a photon of unit energy, by its radial and tangential velocity, from
+-- the table of its starting point; a straight line without gravity.
 sweepOf :: Spacetime -> LensTable -> Double -> Double -> Sweep
 sweepOf Schwarzschild table radial tangential = lensSweep table radial tangential
 sweepOf Flat table radial tangential = lineSweep u (negate radial * u / tangential)
@@ -35,11 +34,11 @@ sweepOf Flat table radial tangential = lineSweep u (negate radial * u / tangenti
     u = 1 / lensTableRadius table
 {-# NOINLINE sweepOf #-}
 
--- | Follow a photon of unit energy ('withUnitEnergy') that starts at the
--- table's radius to its end. The phase, 0 … 1, is the part of a whole step that
--- the first stretch in the gas is long: neighbours in a picture should have
--- different ones, lest they all look at the gas in the same places. Costs one step for each stretch of gas and some
--- fifty nanoseconds for each crossing.
+-- | Follows a photon of unit energy ('withUnitEnergy') that starts at the table's
+-- radius to its end. The phase, 0 to 1, is the length of the first segment in the gas
+-- as a fraction of a whole step. Give neighbouring pixels different phases; otherwise
+-- they all sample the gas at the same places.
+-- Costs one step per segment of gas and about fifty nanoseconds per crossing.
 followSwept ::
   Spacetime ->
   LensTable ->
@@ -73,7 +72,7 @@ followSwept space table region phase photon gather = start
     uInner = 1 / max 1e-3 (regionInnerRadius region)
     -- The greatest sine of the gas's latitude where 1/r is u.
     steepest u = height * u + flare
-    -- Light that starts outside the horizon never comes inside.
+    -- Light that starts outside the horizon never passes inside.
     steepestAll = steepest (min uInner (max 1 (1 / r0)))
 
     start state
@@ -100,9 +99,9 @@ followSwept space table region phase photon gather = start
               else
                 let half = min widest (arcSine (steepest v / tilt))
                     refined side = min widest (arcSine (steepest (max 0 (expansionValue path (offset + side))) / tilt))
-                    -- The interval's ends: where the gas's height depends on
-                    -- the radius, from the radius found there, unless it varies
-                    -- so much within the interval that one look is no proof.
+                    -- The ends of the interval. Where the gas's height depends on the
+                    -- radius, they follow from the radius found there, unless it varies
+                    -- so much within the interval that one evaluation proves nothing.
                     (before, after)
                       | height <= 0 || widest > 0.2 || height * abs (expansionSlope path offset) > 0.25 * tilt = (widest, widest)
                       | otherwise = (refined (negate half), refined half)
@@ -111,8 +110,7 @@ followSwept space table region phase photon gather = start
 
     cellOf angle = max 0 (min (cellCount - 1) (truncate (angle / spacing)))
 
-    -- Gather between two angles, cell by cell, and go on with the next
-    -- crossing.
+    -- Gathers between two angles, cell by cell, and continues with the next crossing.
     cells !n !lead !from !to !next !state
       | from >= to = crossing n next state
       | otherwise =
@@ -134,8 +132,8 @@ followSwept space table region phase photon gather = start
          in if highest < uOuter || min u0 u1 > uInner
               then cells n lead upper to next state
               else
-                let -- Where the path enters the gas's outer radius and where it
-                    -- leaves it, if within the cell.
+                let -- Where the path enters and leaves the gas's outer radius, if
+                    -- within the cell.
                     !begin = if u0 < uOuter && slope0 > 0 then min t1 (reaching path t0) else t0
                     !leaving = if u1 < uOuter && slope1 < 0 then max begin (reaching path t1) else t1
                     !final = ofOneScale path begin leaving
@@ -148,23 +146,22 @@ followSwept space table region phase photon gather = start
                     !(XYZ _ climb0 _) = onward
                     latitude t = latitude0 + t * (climb0 - 0.5 * t * latitude0)
                     climb t = climb0 - t * latitude0
-                    -- The length of a step varies little within a cell, and not
-                    -- knowing it beforehand would make each step wait for the
-                    -- one before.
+                    -- The length of a step varies little within a cell. Computing it
+                    -- for each step would make each step wait for the previous one.
                     !turn = 2 / (rate begin + rate final)
-                    -- Whether the path is above the gas all the time, or below. The
-                    -- series of the latitude is good to a few thousandths.
+                    -- Whether the path is above or below the gas all the time. The
+                    -- series of the latitude is accurate to a few thousandths.
                     far = abs (latitude t0) `min` abs (latitude t1) > steepest highest + 0.003 && latitude t0 * latitude t1 > 0
-                    -- A last step ends with the gas; one that ends with the cell
-                    -- goes on into the next.
+                    -- A last step ends with the gas; a step that ends with the cell
+                    -- continues into the next cell.
                     !limit = if final < leaving || upper < to && final >= t1 then 1 / 0 else final
                     !done = if final < leaving then middle + final else upper
                  in if far
                       then cells n lead upper to next state
                       else samples n begin (lead * turn) final limit turn path outward onward done middle to next state
 
-    -- The part of a cell in which the radius does not change so much that one
-    -- length of step would be wrong: by a factor of eight.
+    -- The part of a cell in which the radius changes by less than a factor of eight, so
+    -- that one step length suits all of it.
     ofOneScale path begin end'
       | min u0 u1 * 8 < max u0 u1 && end' - begin > 1e-9 = ofOneScale path begin (0.5 * (begin + end'))
       | otherwise = end'
@@ -172,7 +169,7 @@ followSwept space table region phase photon gather = start
         u0 = expansionValue path begin
         u1 = expansionValue path end'
 
-    -- The curve is concave there, so that Newton's steps never pass the place.
+    -- The curve is concave there, so Newton's steps never overshoot.
     reaching path t = step (step (step t))
       where
         step x = x + (uOuter - expansionValue path x) / expansionSlope path x
@@ -200,7 +197,7 @@ followSwept space table region phase photon gather = start
                       Onward state' -> goOn state'
                       Hidden state' -> Followed Opaque state' (n + 1)
 
-    -- How many stretches a radian needs so that neither the length of one
+    -- The number of segments per radian for which neither the length of a segment
     -- exceeds the region's fraction of the radius nor its climb that of the half
     -- height.
     rateAt u slope sineLatitude climbing =
@@ -213,7 +210,7 @@ followSwept space table region phase photon gather = start
     !vertical = regionVerticalStep region
 {-# INLINE followSwept #-}
 
--- | The end of the path that 'followSwept' follows, with nothing on the way.
+-- | The fate of the path that 'followSwept' follows, if nothing is in the way.
 sweptFate :: Spacetime -> LensTable -> Photon -> Fate
 sweptFate space table photon = case end of
   Leaves c s -> Escaped (c *^ e1 ^+^ s *^ e2)
@@ -225,13 +222,13 @@ sweptFate space table photon = case end of
       Schwarzschild -> lensEnd table radial tangential
       Flat -> sweepEnd (sweepOf Flat table radial tangential)
 
--- | 'lensOffset' of a photon of unit energy at the table's radius.
+-- | The 'lensOffset' of a photon of unit energy at the table's radius.
 criticalOffset :: LensTable -> Photon -> Double
 criticalOffset table photon = case launch table photon of
   Launch _ _ radial tangential -> lensOffset table radial tangential
 
--- | How a photon starts: unit vectors outwards and onwards, which span its plane,
--- and its velocity along them.
+-- | The start of a photon: unit vectors outwards and onwards, which span its plane, and
+-- its velocity along them.
 data Launch
   = Launch
       {-# UNPACK #-} !XYZ
@@ -239,8 +236,9 @@ data Launch
       {-# UNPACK #-} !Double
       {-# UNPACK #-} !Double
 
--- | Of a photon at the table's radius. One that moves straight at the hole or away
--- from it sweeps no angle; its neighbour within 1e-9 radians does, in any plane.
+-- | The 'Launch' of a photon at the table's radius. A photon that moves straight
+-- towards the hole or away from it sweeps no angle, so its neighbour within 1e-9
+-- radians, in an arbitrary plane, replaces it.
 launch :: LensTable -> Photon -> Launch
 launch table (Photon place velocity)
   | across2 > 1e-18 * XYZ.normSquared velocity = let t = sqrt across2 in Launch e1 ((1 / t) *^ across) radial t
@@ -252,7 +250,7 @@ launch table (Photon place velocity)
     !across2 = XYZ.normSquared across
 {-# INLINE launch #-}
 
--- | The arc sine on 0 … 1. Most arguments are small.
+-- | The arc sine on [0, 1]. Most arguments are small.
 arcSine :: Double -> Double
 arcSine x
   | x < 0.15 = x * (1 + x2 * (1 / 6 + x2 * (3 / 40 + x2 * (15 / 336))))

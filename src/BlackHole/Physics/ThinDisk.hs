@@ -1,6 +1,6 @@
--- | The thin accretion disk of Page and Thorne around a hole that does not
--- rotate: how much each ring radiates if no torque acts at the innermost
--- stable orbit. Radii are in Schwarzschild radii.
+-- | The thin accretion disk of Page and Thorne around a hole that does not rotate: the
+-- flux and temperature of each ring when no torque acts at the innermost stable orbit.
+-- Radii are in Schwarzschild radii.
 module BlackHole.Physics.ThinDisk
   ( pageThorneFlux,
     peakRadius,
@@ -11,20 +11,20 @@ where
 
 import Numeric (log1p)
 
--- | Energy flux from one face of the disk at a radius, as measured by the gas,
--- in units of 3Ṁ/(8πM²) (with r_s = 1, that is 3Ṁ/(2π)); 0 at the innermost
--- stable orbit r = 3, inside it, and for NaN (Page and Thorne 1974, eq. 15n
--- without rotation). With x = √(2r) it is
+-- | Energy flux from one face of the disk at a radius, as measured in the frame of the
+-- gas, in units of 3Ṁ/(8πM²) (with r_s = 1, that is 3Ṁ/(2π)). It is 0 at the innermost
+-- stable orbit r = 3, inside it, and for NaN (Page and Thorne 1974, eq. 15n without
+-- rotation). With x = √(2r) it is
 --
 -- > [x − √6 + (√3/2) ln((x+√3)(√6−√3) / ((x−√3)(√6+√3)))] / ((x²−3) x⁵)
 --
--- The factor of the logarithm is √3/2; some printed versions have √3/3, which
--- does not vanish quadratically at r = 3. Far out the flux is 1/(8r³).
+-- The factor of the logarithm is √3/2. Some printed versions have √3/3, with which the
+-- flux would not vanish quadratically at r = 3. At large r the flux is 1/(8r³).
 --
--- The bracket is a difference of nearly equal terms close to r = 3, so it is
--- computed as (√3/2) [p(d/(√6+√3)) − p(d/(√6−√3))] with d = x − √6 and
--- p(t) = ln(1+t) − t: the linear terms of the two logarithms are just
--- x − √6. The relative error stays below 5e-15 at every radius.
+-- Close to r = 3 the bracket is a difference of nearly equal terms, so it is computed
+-- as (√3/2) [p(d/(√6+√3)) − p(d/(√6−√3))] with d = x − √6 and p(t) = ln(1+t) − t: the
+-- linear terms of the two logarithms add up to x − √6. The relative error stays below
+-- 5e-15 at every radius.
 pageThorneFlux :: Double -> Double
 pageThorneFlux r
   | r > 3 && not (isInfinite r) =
@@ -32,7 +32,7 @@ pageThorneFlux r
   | otherwise = 0
   where
     x = sqrt (2 * r)
-    -- x − √6 without its cancellation.
+    -- x − √6, without cancellation.
     d = 2 * (r - 3) / (x + sqrt 6)
     bracket =
       0.5 * sqrt 3
@@ -40,24 +40,24 @@ pageThorneFlux r
               - log1pMinus (d / (sqrt 6 - sqrt 3))
           )
 
--- | The radius of the greatest flux, and of the greatest temperature: where
--- the derivative of 'pageThorneFlux' vanishes, found with 40 digits.
+-- | The radius of greatest flux and temperature, where the derivative of
+-- 'pageThorneFlux' vanishes, computed with 40 digits.
 peakRadius :: Double
 peakRadius = 4.775464038971935
 
--- | @pageThorneFlux peakRadius@, computed once.
+-- | @pageThorneFlux peakRadius@, precomputed.
 peakFlux :: Double
 peakFlux = 1.1458947324417218e-4
 
--- | The gas temperature relative to the hottest ring, (F/F_peak)^¼: from 0 at
--- and inside r = 3 through 1 at 'peakRadius' towards 0 as r^(−3/4).
+-- | The temperature of the gas relative to the hottest ring, (F/F_peak)^¼: 0 at and
+-- inside r = 3, 1 at 'peakRadius', and falling as r^(−3/4) at large r.
 relativeTemperature :: Double -> Double
 relativeTemperature r = min 1 (sqrt (sqrt (pageThorneFlux r / peakFlux)))
 
--- | ln(1+t) − t for t ≥ 0, with a small relative error also at small t. There
--- the logarithm is 2 artanh w = 2w + 2w³/3 + 2w⁵/5 + …, w = t/(2+t), and
--- 2w − t = −tw takes the difference out; the terms left off are below 1e-17 of
--- the sum where the two branches meet.
+-- | ln(1+t) − t for t ≥ 0, with a small relative error for small t as well. There the
+-- logarithm is 2 artanh w = 2w + 2w³/3 + 2w⁵/5 + … with w = t/(2+t), and 2w − t = −tw
+-- removes the difference. The omitted terms are below 1e-17 of the sum where the two
+-- branches meet.
 log1pMinus :: Double -> Double
 log1pMinus t
   | t > 0.25 = log1p t - t

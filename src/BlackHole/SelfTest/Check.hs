@@ -1,5 +1,5 @@
--- | A check: a number the program computes, the number it ought to be, and
--- how far apart the two may lie.
+-- | A check of the self-test: a computed number, its reference value, and the greatest
+-- difference allowed.
 module BlackHole.SelfTest.Check
   ( Check (..),
     checkError,
@@ -9,21 +9,21 @@ where
 
 -- | One line of the table of checks.
 data Check = Check
-  { -- | What is checked, with the unit.
+  { -- | What is checked, with its unit.
     checkName :: !String,
-    -- | What the program computes.
+    -- | The value that the program computes.
     checkValue :: !Double,
-    -- | What it ought to be.
+    -- | The reference value.
     checkReference :: !Double,
-    -- | The greatest absolute difference that is allowed.
+    -- | The greatest absolute difference allowed.
     checkLimit :: !Double
   }
   deriving (Eq, Show)
 
--- | The absolute difference of value and reference.
+-- | The absolute difference between value and reference.
 checkError :: Check -> Double
 checkError check = abs (checkValue check - checkReference check)
 
--- | Whether the difference is within the limit. What is no number never is.
+-- | Whether the difference is within the limit. Never true for NaN.
 checkHolds :: Check -> Bool
 checkHolds check = checkError check <= checkLimit check

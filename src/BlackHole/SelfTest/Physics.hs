@@ -1,8 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | Checks of the formulas: light paths, observers, gas, colour and noise
--- against references that others have published, that follow from textbook
--- closed forms, or that were computed with thirty digits.
+-- | Checks of the formulas for light paths, observers, gas, colour and noise against
+-- published values, textbook closed forms, and values computed with thirty digits.
 module BlackHole.SelfTest.Physics
   ( physicsChecks,
     deflectionReferences,
@@ -29,7 +28,7 @@ import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Bits (popCount, xor)
 import Data.Maybe (fromMaybe)
 
--- | All of them, lazily; together less than a second.
+-- | All of these checks, computed lazily, in less than a second together.
 physicsChecks :: [Check]
 physicsChecks =
   concat
@@ -43,11 +42,11 @@ physicsChecks =
       [sipHashCheck]
     ]
 
--- | Light from afar falls in exactly below b_c = 3√3/2.
+-- | Light from infinity falls in exactly below b_c = 3√3/2.
 criticalChecks :: [Check]
 criticalChecks =
   [ Check "critical impact parameter, closed form" (threshold capturedExactly) critical 1e-14,
-    -- The error is 0.19 l² for steps of one length l; the quarter is room.
+    -- The error is 0.19 l² for steps of equal length l; 0.25 leaves a margin.
     Check "critical impact parameter, leapfrog, step 0.1" coarse critical (0.25 * 0.1 * 0.1),
     Check "critical impact parameter, leapfrog, limit of short steps" ((4 * fine - coarse) / 3) critical 1e-5
   ]
@@ -70,8 +69,8 @@ deflectionChecks =
     | (b, deflection) <- deflectionReferences
   ]
 
--- | Impact parameter and deflection in radians, from 30-digit arithmetic by
--- two independent methods.
+-- | Impact parameter and deflection in radians, from 30-digit arithmetic by two
+-- independent methods.
 deflectionReferences :: [(Double, Double)]
 deflectionReferences =
   [ (2.5981, 11.20088384525815),
@@ -90,8 +89,8 @@ deflectionReferences =
     (1000, 0.00200295058709901)
   ]
 
--- | Where the static observer's lines of sight begin to miss the hole, against
--- Synge 1966: sin²ψ = (27/4)(1−1/r)/r².
+-- | The angle at which the static observer's lines of sight begin to miss the hole,
+-- against Synge 1966: sin²ψ = (27/4)(1−1/r)/r².
 shadowAngleChecks :: [Check]
 shadowAngleChecks =
   [ Check ("shadow half-angle of an observer at rest at r = " ++ place ++ " (deg)") (edge r) reference limit
@@ -108,7 +107,7 @@ shadowAngleChecks =
               Escapes _ -> False
               _ -> True
 
--- | The integrator's order, and what it must not change.
+-- | The integrator's order of convergence, and its conserved quantities.
 leapfrogChecks :: [Check]
 leapfrogChecks =
   [ Check "leapfrog: energy error, step 0.1 over step 0.05" (worstEnergy 0.1 / worstEnergy 0.05) 4 0.1,
@@ -128,8 +127,8 @@ leapfrogChecks =
       (Escaped d, Just e) -> XYZ.distance d e
       _ -> notANumber
 
--- | The extremes of g for light from a ring of orbiting gas that reaches an
--- observer in the ring's plane at infinity.
+-- | The extremes of g for light from a ring of orbiting gas that reaches an observer in
+-- the ring's plane at infinity.
 redshiftChecks :: [Check]
 redshiftChecks =
   concat
@@ -140,8 +139,8 @@ redshiftChecks =
         let shifts = ringShifts r
     ]
 
--- | g of light that leaves the ring at r, in its plane, at every half degree.
--- All of it gets away: outwards, or round the hole by way of its closest point.
+-- | g of light that leaves the ring at r within its plane, at every half degree. All of
+-- it escapes, either outwards or around the hole past its closest point.
 ringShifts :: Double -> [Double]
 ringShifts r =
   [ maybe notANumber (\gas -> redshiftFactor distantObserver gas (photonMomentum Outward (lambda * lambda) lambda r)) (gasVelocity r 0)
@@ -149,15 +148,15 @@ ringShifts r =
       let lambda = r * sin (pi / 360 * fromIntegral i) / sqrt (1 - 1 / r)
   ]
 
--- | Where the flux of the disk turns from rising to falling.
+-- | The radius at which the flux of the disk is greatest.
 peakCheck :: Check
 peakCheck = Check "radius of the disk's greatest flux (Page and Thorne)" (bisect rising 3.5 8) 4.7755 5e-5
   where
     rising r = pageThorneFlux (r * 1.0001) > pageThorneFlux (r / 1.0001)
 
--- | CIE illuminant A is a black body at 2848 K in the scale of 1931, whose hc/k
--- was 1.435e-2 m K. Its published place comes from sums over fewer
--- wavelengths, 1e-5 away.
+-- | CIE illuminant A is a black body at 2848 K on the scale of 1931, whose hc/k was
+-- 1.435e-2 m K. Its published chromaticity is a sum over fewer wavelengths and differs
+-- by 1e-5.
 illuminantChecks :: [Check]
 illuminantChecks =
   [ Check "chromaticity x of illuminant A" x 0.44757 1.5e-5,
@@ -166,8 +165,8 @@ illuminantChecks =
   where
     (x, y) = blackBodyChromaticity (2848 * secondRadiationConstant / 1.435e7)
 
--- | The published output for the key 00 … 0f and the message 00 … 0f,
--- least significant byte first.
+-- | The published output for the key 00 … 0f and the message 00 … 0f, in little-endian
+-- order.
 sipHashCheck :: Check
 sipHashCheck =
   Check "SipHash-2-4 of the published message, wrong bits" (fromIntegral wrong) 0 0
@@ -177,24 +176,24 @@ sipHashCheck =
     low = 0x0706050403020100
     high = 0x0f0e0d0c0b0a0908
 
--- | A photon of unit energy at r = 30 on its way in, with the impact parameter
--- @b@, in the plane y = 0.
+-- | A photon of unit energy at r = 30, moving inwards with the impact parameter @b@ in
+-- the plane y = 0.
 aimedAt :: Double -> Photon
 aimedAt b = Photon (XYZ p 0 (sqrt (900 - p * p))) (XYZ 0 0 (negate speed))
   where
-    -- v|² = 1 + h²/r³ with h = b.
+    -- The squared speed is 1 + h²/r³ with h = b.
     speed = sqrt (1 + b * b / 27000)
     p = b / speed
 
--- | The end of its path by leapfrog; it runs in the plane of the gas, where
--- the report's rule takes short steps.
+-- | The end of that photon's path by leapfrog. The path runs in the plane of the gas,
+-- where the report's rule takes short steps.
 pathEnd :: StepRule -> Double -> Fate
 pathEnd rule b =
   followedFate (followLeapfrog settings Schwarzschild emptyRegion (aimedAt b) (\() _ -> Onward ()) ())
   where
     settings = defaultLeapfrog {leapfrogSteps = rule, leapfrogSkyRadius = 400}
 
--- | The points of its path by leapfrog until it has left r = 31.
+-- | The points of that photon's path by leapfrog until it has left r = 31.
 walk :: StepRule -> Double -> [Photon]
 walk rule b = takeWhile ((<= 31) . XYZ.norm . photonPosition) (iterate step start)
   where
@@ -202,7 +201,7 @@ walk rule b = takeWhile ((<= 31) . XYZ.norm . photonPosition) (iterate step star
     !h2 = XYZ.normSquared (angularMomentum start)
     step p = leapfrogStep Schwarzschild h2 (stepLength rule (photonPosition p) / XYZ.norm (photonVelocity p)) p
 
--- | The direction in which it escapes by the closed form.
+-- | The direction in which that photon escapes by the closed form.
 exactDirection :: Double -> Maybe XYZ
 exactDirection b = case orbitFate (orbit 30 (XYZ.dot x v / 30) (b / 30)) of
   Escapes swept -> Just (XYZ (sin (alpha + swept)) 0 (cos (alpha + swept)))
@@ -214,6 +213,6 @@ exactDirection b = case orbitFate (orbit 30 (XYZ.dot x v / 30) (b / 30)) of
 orNaN :: Maybe Double -> Double
 orNaN = fromMaybe notANumber
 
--- | The value of what could not be computed: no limit admits it.
+-- | The value of a quantity that could not be computed; no limit admits it.
 notANumber :: Double
 notANumber = 0 / 0

@@ -1,5 +1,5 @@
--- | Checks of rendered pictures: the size of the shadow, the evenness of an
--- even sky, and that the number of workers does not matter.
+-- | Checks of rendered pictures: the size of the shadow, the uniformity of a uniform
+-- sky, and independence of the number of workers.
 module BlackHole.SelfTest.Picture
   ( pictureChecks,
   )
@@ -29,16 +29,16 @@ pictureChecks = do
   same <- workersCheck
   pure (concat shadows ++ [same])
 
--- | The shadow that an observer at rest sees before a uniform sky, by Synge's
--- formula sin²ψ = (27/4)(1−1/r)/r²: its edge along the middle row of the
--- picture, as finely as doubles go, and the radius of the circle that has as
--- many pixels as are dark in the rendered picture. Also the sky's radiance,
--- which no lens can change (Liouville): everywhere outside the shadow it is
--- (1−1/r)⁻² times that at infinity, in the film's single precision.
+-- | The shadow that an observer at rest sees against a uniform sky, compared with
+-- Synge's formula sin²ψ = (27/4)(1−1/r)/r²: its edge along the middle row of the
+-- picture to double precision, and the radius of a circle whose area is that of the
+-- dark pixels. Also the sky's radiance, which no lens can change (Liouville's theorem):
+-- everywhere outside the shadow it is (1−1/r)⁻² times that at infinity, in the film's
+-- single precision.
 --
--- A pixel is dark if its middle is. The squares of these pixels cover the disk
--- of a radius smaller by half a diagonal, and are covered by the disk of one
--- greater by as much; so that is the limit.
+-- A pixel is dark if its middle is. The squares of the dark pixels cover a disk smaller
+-- by half a pixel's diagonal in radius and fit into one larger by half a diagonal,
+-- which gives the limit.
 shadowChecks :: (String, Double, Double) -> IO [Check]
 shadowChecks (place, r, fieldOfView) = do
   exposed <- exposeFilm oneWorker (const (pure ())) scene
@@ -66,11 +66,11 @@ shadowChecks (place, r, fieldOfView) = do
     middle = 0.5 * fromIntegral side
     allPixels film = mapMaybe (uncurry (filmRadiance film)) [(x, y) | y <- [0 .. side - 1], x <- [0 .. side - 1]]
 
--- | Pixels along a side of the pictures of the shadow.
+-- | The width and height of the shadow's pictures in pixels.
 side :: Int
 side = 96
 
--- | A uniform sky and a hole in the middle, no gas.
+-- | A uniform sky with a hole in the middle and no gas.
 shadowScene :: Double -> Double -> Scene
 shadowScene r fieldOfView =
   defaultScene
@@ -87,8 +87,7 @@ shadowScene r fieldOfView =
       sceneSamples = 1
     }
 
--- | The codes of the default scene's pixels do not depend on how many workers
--- share them.
+-- | The codes of the default scene's pixels do not depend on the number of workers.
 workersCheck :: IO Check
 workersCheck = do
   one <- codes oneWorker

@@ -10,12 +10,12 @@ where
 import BlackHole.SelfTest.Check
 import Numeric (showEFloat, showFFloat)
 
--- | Whether verdicts are coloured by a terminal's escape sequences.
+-- | Whether escape sequences colour the verdicts.
 data Paint = Plain | Painted
   deriving (Eq, Show, Enum, Bounded)
 
--- | A heading and one line per check, in columns: check, value, reference,
--- error, limit, and @pass@ or @fail@.
+-- | A heading and one line per check, in columns: check, value, reference, error,
+-- limit, and @pass@ or @fail@.
 tableLines :: Paint -> [Check] -> [String]
 tableLines paint checks = map line (heading : map row checks)
   where
@@ -44,26 +44,26 @@ tableLines paint checks = map line (heading : map row checks)
       (False, Painted) -> " \ESC[1;31mFAIL\ESC[0m"
     dropWhileEnd' = reverse . dropWhile (== ' ') . reverse
 
--- | @N passed, N failed@.
+-- | The line @N passed, N failed@.
 summaryLine :: [Check] -> String
 summaryLine checks =
   show (length checks - failed) ++ " passed, " ++ show failed ++ " failed"
   where
     failed = failureCount checks
 
--- | How many checks do not hold.
+-- | The number of failed checks.
 failureCount :: [Check] -> Int
 failureCount = length . filter (not . checkHolds)
 
--- | Ten decimals, which all quantities of the order of one deserve; smaller
--- numbers with three digits.
+-- | A number with ten decimals, which suits quantities of order one, or with three
+-- digits if it is smaller.
 showValue :: Double -> String
 showValue v
   | v == 0 = "0"
   | abs v < 1e-4 = showEFloat (Just 2) v ""
   | otherwise = showFFloat (Just 10) v ""
 
--- | Two digits.
+-- | A number with two digits.
 showSize :: Double -> String
 showSize v
   | v == 0 = "0"

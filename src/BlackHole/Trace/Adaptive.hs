@@ -1,12 +1,13 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | How many samples a pixel gets.
+-- | Adaptive sampling: the number of samples of each pixel.
 --
--- All pixels get the scene's number of samples. Those that are uncertain then, or
--- have a neighbour that is (thin things escape a pixel's few samples and hit those
--- of the next), get twice as many, and again, until they are certain or have the
--- most. Those on the edge of the shadow always get the most: the third image of the
--- gas is a tenth of a pixel wide, and too many pixels would not even suspect it.
+-- Every pixel first gets the scene's number of samples. A pixel that is then uncertain,
+-- or has an uncertain neighbour, gets twice as many, and again, until it is certain or
+-- has reached the maximum. Neighbours count because thin structures can escape the few
+-- samples of one pixel and hit those of the next. Pixels on the edge of the shadow
+-- always get the maximum: the third image of the gas is a tenth of a pixel wide, and
+-- too many pixels would miss it altogether.
 module BlackHole.Trace.Adaptive
   ( firstEstimate,
     refinedEstimate,
@@ -21,14 +22,15 @@ import BlackHole.Trace.Estimate
 import BlackHole.Trace.Pixel
 import BlackHole.Vector.XY (XY (..))
 
--- | A pixel (column and row from the top left, from 0) after the samples that
--- every pixel gets.
+-- | The estimate of a pixel (column and row from the top left, counted from 0) after
+-- the samples that every pixel gets.
 firstEstimate :: Tracer -> Int -> Int -> Estimate
 firstEstimate traced = addSamples traced 0 (sceneSamples (tracedScene traced)) noSamples
 
--- | @refinedEstimate traced uncertain first column row@: a pixel in the end, from
--- its own first estimate and whether those of it and its neighbours, by column and
--- row, are 'uncertainEstimate's, all as they are stored ('asStored').
+-- | @refinedEstimate traced uncertain first column row@ is the final estimate of a
+-- pixel, from its first estimate and a function that says, by column and row, whether
+-- the first estimates of it and its neighbours are 'uncertainEstimate's. Both use the
+-- values as stored ('asStored').
 refinedEstimate :: Tracer -> (Int -> Int -> Bool) -> Estimate -> Int -> Int -> Estimate
 refinedEstimate traced uncertain first !column !row
   | meetsPhotonRing traced (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)) = addSamples traced (sceneSamples scene) (mostSamples scene) first column row
@@ -44,8 +46,8 @@ refinedEstimate traced uncertain first !column !row
     anyIn !c !r = c <= right && (uncertain c r || anyIn (c + 1) r)
 {-# INLINE refinedEstimate #-}
 
--- | Whether an estimate is to be refined, from the scene's number of samples and
--- its 'estimateSeen' and 'estimateSeenSquare'.
+-- | Whether an estimate needs refinement, from the scene's number of samples, its
+-- 'estimateSeen' and its 'estimateSeenSquare'.
 uncertainEstimate :: Scene -> Double -> Double -> Bool
 uncertainEstimate scene seen square = standardError (sceneSamples scene) seen square > sceneNoise scene
 {-# INLINE uncertainEstimate #-}
@@ -63,7 +65,8 @@ moreSamples traced first !column !row = refined (sceneSamples scene) first
         count' = min most (max (count + 4) (2 * count))
         more = addSamples traced count count' estimate column row
 
--- | A pixel by itself: the same bits as in a film. Up to nine times the work.
+-- | The final estimate of a single pixel, bit-identical to the one in a film. Takes up
+-- to nine times as long as in a film.
 pixelEstimate :: Tracer -> Int -> Int -> Estimate
 pixelEstimate traced column row
   | mostSamples scene > sceneSamples scene = refinedEstimate traced uncertain (stored column row) column row

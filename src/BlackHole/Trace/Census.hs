@@ -1,7 +1,8 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | What the light of a picture took, estimated from lines of sight that are spread
--- evenly over it. The rendering itself counts nothing, since that would slow it down.
+-- | The work that a picture took, estimated from a thousand lines of sight spread
+-- evenly over it. The renderer itself counts nothing, because counting would slow it
+-- down.
 module BlackHole.Trace.Census
   ( Census (..),
     census,
@@ -22,33 +23,34 @@ import BlackHole.Vector.XY (XY (..))
 import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Maybe (isNothing)
 
--- | The mean of a number over the lines of sight looked at, and its standard error.
+-- | The mean of a number over the lines of sight, and its standard error.
 data Mean = Mean !Double !Double
   deriving (Eq, Show)
 
--- | Numbers of a picture.
+-- | Statistics of a picture.
 data Census = Census
-  { -- | How many lines of sight were looked at.
+  { -- | The number of lines of sight that were evaluated.
     censusLines :: !Int,
-    -- | Rays of a pixel. Exact unless their number follows the uncertainty.
+    -- | Rays per pixel. Exact unless sampling is adaptive.
     censusRays :: !Mean,
-    -- | Steps of the integrator on a ray: stretches handed to the gatherer, or the
-    -- leapfrog's steps. Rays through empty space by the table take none.
+    -- | Steps of the integrator per ray: path segments handed to the gathering
+    -- function, or the steps of the leapfrog. Rays through empty space by the table
+    -- take none.
     censusSteps :: !Mean,
-    -- | Stretches of a ray in which there was gas.
+    -- | Path segments per ray that contained gas.
     censusGasSamples :: !Mean,
-    -- | The greatest angle in radians between the direction in which a ray leaves
-    -- and that of the closed form, over the rays that leave in both.
+    -- | The greatest angle, in radians, between a ray's direction of escape and that of
+    -- the closed form, over the rays that escape in both.
     censusDirectionError :: !Double,
-    -- | Rays that end in the hole in one of the two alone.
+    -- | The number of rays that end in the hole in only one of the two.
     censusOtherFates :: !Int
   }
   deriving (Eq, Show)
 
--- | Look at a thousand lines of sight, or at every pixel's of a smaller band: the
--- first row and the number of rows. 'Nothing' for a scene that cannot be traced
--- ('tracerUnder') and for an empty band. As much work as three rays for each, and with
--- adaptive sampling as nine pixels.
+-- | Evaluates about a thousand lines of sight in a band (its first row and its number
+-- of rows), or one per pixel in a smaller band. 'Nothing' for a scene that cannot be
+-- traced ('tracerUnder') and for an empty band. Each line of sight costs as much as
+-- three rays, and with adaptive sampling as much as nine pixels.
 census :: Maybe SkyImage -> Scene -> (Int, Int) -> Maybe Census
 census picture scene (first, rows)
   | rows <= 0 || width <= 0 = Nothing
@@ -81,15 +83,15 @@ census picture scene (first, rows)
                   right = followedFate (followSight exact point sight' (\() _ -> Onward ()) ())
                in Look rays (if direct then 0 else steps) gasSamples (apart fate right)
             _ -> Look rays 0 0 Alike
-    -- The table tells the ends of such rays at once.
+    -- The table gives the ends of such rays directly.
     direct = sceneIntegrator scene == Tabulated && isNothing (sceneDisk scene)
 
--- | The middles of so many equal parts of a row of pixels.
+-- | The middles of this many equal parts of a row of pixels.
 spread :: Int -> Int -> Int -> [Int]
 spread first size parts = [first + ((2 * k + 1) * size) `quot` (2 * parts) | k <- [0 .. parts - 1]]
 
--- | One line of sight: rays of its pixel, steps, gas samples, and how its end
--- compares with that of the closed form.
+-- | The result of one line of sight: the rays of its pixel, steps, gas samples, and the
+-- comparison of its end with that of the closed form.
 data Look = Look {lookRays :: !Int, lookSteps :: !Int, lookGas :: !Int, _lookEnd :: !End}
 
 data End = Alike | Apart !Double | Otherwise
@@ -97,7 +99,7 @@ data End = Alike | Apart !Double | Otherwise
 apart :: Fate -> Fate -> End
 apart (Escaped a) (Escaped b) = Apart (2 * asin (min 1 (0.5 * XYZ.norm (a XYZ.^-^ b))))
 apart a b
-  -- What is hidden has no end to compare.
+  -- A hidden path has no end to compare.
   | Opaque `elem` [a, b] || a == b = Alike
   | otherwise = Otherwise
 

@@ -1,4 +1,5 @@
--- | What some samples say about a pixel: its radiance, and how sure that is.
+-- | The estimate of a pixel's radiance from its samples, and the uncertainty of that
+-- estimate.
 module BlackHole.Trace.Estimate
   ( Estimate (..),
     noSamples,
@@ -19,23 +20,24 @@ import BlackHole.Light.Radiance
 -- | Sums over samples.
 data Estimate = Estimate
   { estimateCount :: {-# UNPACK #-} !Int,
-    -- | Of the radiance.
+    -- | Sum of the radiances.
     estimateSum :: {-# UNPACK #-} !Radiance,
-    -- | Of weight times radiance.
+    -- | Sum of weight times radiance.
     estimateWeighted :: {-# UNPACK #-} !Radiance,
-    -- | Of the weights.
+    -- | Sum of the weights.
     estimateWeight :: {-# UNPACK #-} !Double,
-    -- | Of 'seenAs', and of its square.
+    -- | Sum of 'seenAs', and of its square.
     estimateSeen :: {-# UNPACK #-} !Double,
     estimateSeenSquare :: {-# UNPACK #-} !Double
   }
   deriving (Eq, Show)
 
--- | None yet.
+-- | The estimate without samples.
 noSamples :: Estimate
 noSamples = Estimate 0 black black 0 0 0
 
--- | @addSample gain weight radiance estimate@; the gain is the exposure's factor.
+-- | @addSample gain weight radiance estimate@ adds a sample. The gain is the exposure's
+-- factor.
 addSample :: Double -> Double -> Radiance -> Estimate -> Estimate
 addSample gain weight light (Estimate n plain weighted weights seen square) =
   Estimate
@@ -49,25 +51,25 @@ addSample gain weight light (Estimate n plain weighted weights seen square) =
     v = seenAs (gain * luminance light)
 {-# INLINE addSample #-}
 
--- | Roughly what a display makes of an exposed luminance: the square root, and
--- no more than twice white.
+-- | An approximation to the display's response to an exposed luminance: its square
+-- root, limited to twice white.
 seenAs :: Double -> Double
 seenAs v = sqrt (max 0 (min 4 v))
 
--- | The weighted mean; black without samples. Weights may be negative; should
--- they nearly cancel, as they can among few samples, all count alike.
+-- | The weighted mean; black without samples. Weights may be negative. If they nearly
+-- cancel, as they can among few samples, all samples count equally.
 estimatedRadiance :: Estimate -> Radiance
 estimatedRadiance (Estimate n plain weighted weights _ _)
   | n == 0 = black
   | weights >= 0.4 * fromIntegral n = mapRadiance (max 0) (scaleRadiance (1 / weights) weighted)
   | otherwise = scaleRadiance (1 / fromIntegral n) plain
 
--- | The standard error of the mean, as a part of white on a display; 0 for fewer
--- than two samples. Samples spread evenly do better than that.
+-- | The standard error of the mean, as a fraction of display white; 0 for fewer than
+-- two samples. It overestimates the error of evenly spread samples.
 estimatedError :: Estimate -> Double
 estimatedError (Estimate n _ _ _ seen square) = standardError n seen square
 
--- | The same from the count, 'estimateSeen' and 'estimateSeenSquare'.
+-- | The standard error from the count, 'estimateSeen' and 'estimateSeenSquare'.
 standardError :: Int -> Double -> Double -> Double
 standardError n seen square
   | n < 2 = 0
@@ -76,28 +78,29 @@ standardError n seen square
     count = fromIntegral n
 {-# INLINE standardError #-}
 
--- | How many numbers 'forSums' hands out.
+-- | The number of sums that 'forSums' visits.
 sumCount :: Int
 sumCount = 9
 
--- | The place of 'estimateSeen' among them; 'estimateSeenSquare' is the next.
+-- | The index of 'estimateSeen' among the sums; 'estimateSeenSquare' has the next one.
 seenPlace :: Int
 seenPlace = 7
 
--- | Do something with each of an estimate's sums and its place, from 0; the count
--- is left out.
+-- | Runs an action for each of an estimate's sums and its index, counted from 0. The
+-- number of samples is not among them.
 forSums :: Applicative f => Estimate -> (Int -> Double -> f ()) -> f ()
 forSums (Estimate _ (Radiance r g b) (Radiance r' g' b') weights seen square) act =
   act 0 r *> act 1 g *> act 2 b *> act 3 r' *> act 4 g' *> act 5 b' *> act 6 weights *> act seenPlace seen *> act (seenPlace + 1) square
 {-# INLINE forSums #-}
 
--- | From the count and a function from the place of a sum to its value.
+-- | The estimate with this number of samples and the sums that the function returns for
+-- each index.
 estimateFromSums :: Int -> (Int -> Double) -> Estimate
 estimateFromSums n at =
   Estimate n (Radiance (at 0) (at 1) (at 2)) (Radiance (at 3) (at 4) (at 5)) (at 6) (at seenPlace) (at (seenPlace + 1))
 {-# INLINE estimateFromSums #-}
 
--- | What a film of single precision keeps of it.
+-- | The estimate rounded to what a film in single precision stores.
 asStored :: Estimate -> Estimate
 asStored (Estimate n plain weighted weights seen square) =
   Estimate n (mapRadiance single plain) (mapRadiance single weighted) (single weights) (single seen) (single square)

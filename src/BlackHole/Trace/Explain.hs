@@ -1,7 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | Why a pixel looks as it does: the numbers between its place in the picture
--- and its colour, from the functions that render it.
+-- | An explanation of a pixel: all intermediate numbers between its position in the
+-- picture and its colour, from the functions that render it.
 module BlackHole.Trace.Explain
   ( Explanation (..),
     Sighting (..),
@@ -34,15 +34,15 @@ import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ)
 import Data.Word (Word8)
 
--- | All about one pixel.
+-- | Everything about one pixel.
 data Explanation = Explanation
-  { -- | Column and row, from 0 at the top left.
+  { -- | Column and row, counted from 0 at the top left.
     explainedPixel :: !(Int, Int),
-    -- | The line of sight through the pixel's middle.
+    -- | The line of sight through the middle of the pixel.
     explainedMiddle :: !Sighting,
-    -- | The lines of sight that are rendered; with one sample, the middle.
+    -- | The lines of sight that the renderer traces; with one sample, the middle.
     explainedSamples :: ![Sighting],
-    -- | Their mean: the pixel's radiance on the film.
+    -- | Their mean, which is the pixel's radiance on the film.
     explainedRadiance :: !Radiance,
     explainedShown :: !Shown
   }
@@ -50,61 +50,60 @@ data Explanation = Explanation
 
 -- | One line of sight.
 data Sighting = Sighting
-  { -- | The point of the picture it goes through, in pixels.
+  { -- | The point of the picture that it passes through, in pixels.
     sightingPoint :: !XY,
-    -- | Its direction for the observer, unit length.
+    -- | Its direction in the observer's frame, of unit length.
     sightingDirection :: !XYZ,
-    -- | 'Nothing' where no light arrives from outside ('sightLine').
+    -- | 'Nothing' if no light arrives from outside ('sightLine').
     sightingArrival :: !(Maybe Arrival),
-    -- | The light that is seen, 'sightRadiance'.
+    -- | The radiance seen along it, 'sightRadiance'.
     sightingRadiance :: !Radiance
   }
   deriving (Eq, Show)
 
--- | The light that arrives along a line of sight. Followed against the light.
+-- | The light that arrives along a line of sight, followed backwards.
 data Arrival = Arrival
-  { -- | @x × v@ at the camera for unit energy at infinity; its length is the
-    -- impact parameter in Schwarzschild radii.
+  { -- | @x × v@ at the camera for unit energy at infinity. Its length is the impact
+    -- parameter in Schwarzschild radii.
     arrivalAngularMomentum :: !XYZ,
-    -- | The observer's frequency over that at infinity.
+    -- | The observer's frequency over the frequency at infinity.
     arrivalFrequency :: !Double,
     arrivalFate :: !Fate,
     arrivalCrossings :: ![PlaneCrossing],
-    -- | Steps of the integrator.
+    -- | Number of steps of the integrator.
     arrivalSteps :: !Int,
-    -- | Stretches of the path in which there was gas.
+    -- | Number of path segments that contained gas.
     arrivalGasSamples :: !Int,
-    -- | The part of the light from behind the gas that gets through.
+    -- | The fraction of the light from behind the gas that gets through.
     arrivalTransmittance :: !Double,
-    -- | From the gas, as it reaches the camera.
+    -- | Radiance of the gas as it reaches the camera.
     arrivalGas :: !Radiance,
-    -- | From the sky, before the gas.
+    -- | Radiance of the sky before it passes the gas.
     arrivalSky :: !Radiance
   }
   deriving (Eq, Show)
 
--- | Of the gas passed: −ln of the transmittance, 0 or more, infinite where
--- nothing gets through.
+-- | The optical depth of the gas along the path: −ln of the transmittance, at least 0,
+-- infinite if nothing gets through.
 opticalDepth :: Arrival -> Double
 opticalDepth light = negate (log (arrivalTransmittance light)) + 0
 
--- | What a display makes of radiance.
+-- | The steps by which a display shows radiance.
 data Shown = Shown
   { shownExposed :: !Radiance,
-    -- | Linear, each amount within 0…1.
+    -- | Linear, with each component in 0 to 1.
     shownToneMapped :: !Radiance,
     -- | 8-bit sRGB, without bloom, which needs the rest of the picture.
     shownCodes :: !(Word8, Word8, Word8)
   }
   deriving (Eq, Show)
 
--- | Explain the pixel in a column and a row. 'Nothing' outside the picture, and
--- for a scene that cannot be traced ('tracer'). As much work as three such
--- pixels.
+-- | Explains the pixel in a column and a row. 'Nothing' outside the picture, and for a
+-- scene that cannot be traced ('tracer'). Takes as long as three such pixels.
 explainPixel :: Scene -> Int -> Int -> Maybe Explanation
 explainPixel = explainPixelUnder Nothing
 
--- | The same with the picture of the sky if the scene's is a panorama.
+-- | 'explainPixel' with the environment map, for a scene that has one.
 explainPixelUnder :: Maybe SkyImage -> Scene -> Int -> Int -> Maybe Explanation
 explainPixelUnder picture scene column row
   | column < 0 || row < 0 || column >= width || row >= height = Nothing
@@ -135,11 +134,12 @@ sighting scene traced point =
       sightingRadiance = sightRadiance traced point
     }
 
--- | What is gathered, and how many stretches added to it.
+-- | The gathered light, and the number of segments that contributed to it.
 data Counted = Counted !Int !Gathered
 
--- | The end of a line of sight, the integrator's steps, and how many stretches had
--- gas: the ray through that point of the picture, counted as it is rendered.
+-- | The fate of a line of sight, the number of integrator steps, and the number of
+-- segments with gas, for the ray through this point of the picture as the renderer
+-- traces it.
 gatheredAlong :: Tracer -> XY -> SightLine -> (Fate, Int, Int)
 gatheredAlong traced point sight = case counted traced point sight of
   Followed fate (Counted samples _) steps -> (fate, steps, samples)
@@ -171,8 +171,7 @@ counted traced point sight = followSight traced point sight count (Counted 0 not
       | light == light' && transmittance == transmittance' = 0
       | otherwise = 1
 
--- | The steps from radiance to codes, by way of the film, which keeps single
--- precision.
+-- | The steps from radiance to codes, including the film's single precision.
 shownAs :: Scene -> Int -> Int -> Radiance -> Shown
 shownAs scene column row radiance =
   Shown

@@ -1,19 +1,19 @@
--- | A sky of squares, to see by it what the hole does to the sky.
+-- | A sky with a checkerboard, which makes visible how the hole distorts the sky.
 module BlackHole.Trace.Grid (gridRadiance) where
 
 import BlackHole.Light.Radiance
 import BlackHole.Vector.XYZ (XYZ (..))
 
--- | Fields of 10° in longitude and latitude, warm over the disk's upper side
--- and cool under it.
+-- | The radiance in this direction: squares of 10° in longitude and latitude, warm on
+-- the disk's upper side and cool on its lower side.
 gridRadiance :: XYZ -> Radiance
 gridRadiance (XYZ x y z)
   | y >= 0 = scaleRadiance shade (Radiance 1 0.6 0.25)
   | otherwise = scaleRadiance shade (Radiance 0.25 0.6 1)
   where
-    -- Which borders a direction has passed says in which field it lies, without
-    -- an angle. The grid mirrors itself in the coordinates' planes, which are
-    -- borders, and in the planes midway between +x and ±z, which are not.
+    -- The set of borders that a direction has passed determines its square, without
+    -- computing an angle. The grid is symmetric about the coordinate planes, which are
+    -- borders, and about the planes midway between +x and ±z, which are not.
     shade = if even (signs + meridians + parallels) then 0.8 else 0.15
     signs = passed x 0 + passed y 0 + passed z 0
     meridians = passed (tan10 * far) near + passed (tan20 * far) near + passed (tan30 * far) near + passed (tan40 * far) near

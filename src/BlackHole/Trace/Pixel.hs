@@ -1,9 +1,9 @@
 {-# LANGUAGE BangPatterns #-}
--- The loop along a path keeps its state in registers and on the stack, not on
--- the heap.
+-- The loop along a path keeps its state in registers and on the stack instead of the
+-- heap.
 {-# OPTIONS_GHC -fmax-worker-args=64 #-}
 
--- | From a scene and a pixel to its radiance: one pure function.
+-- | The radiance of a pixel of a scene, as a pure function.
 module BlackHole.Trace.Pixel
   ( Tracer,
     tracer,
@@ -55,21 +55,21 @@ import BlackHole.Vector.XYZ (XYZ, (*^))
 import qualified BlackHole.Vector.XYZ as XYZ
 import GHC.Exts (lazy)
 
--- | A scene made ready: what all pixels share, worked out once.
+-- | A scene prepared for tracing: everything that its pixels share, computed once.
 data Tracer = Tracer
   { tracerPlane :: !PicturePlane,
     tracerScene :: !Scene,
     tracerEye :: !Eye,
     -- | The exposure's factor.
     tracerGain :: !Double,
-    -- | The part of g that counts for the sky.
+    -- | The part of g that applies to the sky.
     tracerSkyShift :: !SkyShift,
     tracerRegion :: !Region,
-    -- | Made when first used, like the next.
+    -- | Computed at its first use, like the fields below.
     tracerMatter :: Matter,
-    -- | The paths through the camera's place.
+    -- | The light paths through the camera's position.
     tracerTable :: LensTable,
-    -- | Likewise.
+    -- | The sky as a function of the beam.
     tracerSky :: SkyShader
   }
 
@@ -79,13 +79,13 @@ data Matter
   | Checks !Disk
   | Gaseous !Gas
 
--- | Make a scene ready. 'Nothing' if its camera looks nowhere
--- ('cameraFrame'), which no validated scene has, or its sky is a panorama: that
--- needs 'tracerUnder'.
+-- | Prepares a scene. 'Nothing' if its camera has no direction of view ('cameraFrame'),
+-- which no validated scene has, or if its sky is an environment map, which needs
+-- 'tracerUnder'.
 tracer :: Scene -> Maybe Tracer
 tracer = tracerUnder Nothing
 
--- | The same with the picture of the sky if the scene's is a panorama
+-- | Prepares a scene together with its environment map, if it has one
 -- ('neededPicture').
 tracerUnder :: Maybe SkyImage -> Scene -> Maybe Tracer
 tracerUnder picture scene = do
@@ -119,15 +119,15 @@ tracerUnder picture scene = do
         | sceneDebugTextures scene -> Checks disk
         | otherwise -> Gaseous (gas seed (sceneShifts scene) disk place (pixelAngle (sceneCamera scene) (scenePicture scene)) (sceneSamples scene))
 
--- | What takes time to be made ready, to be evaluated beforehand, each apart from
--- the others. Without, the first ray that needs it waits for it.
+-- | The parts of a tracer that take time to compute, for evaluation in advance and in
+-- parallel. Otherwise the first ray that needs a part waits for it.
 tracerTables :: Tracer -> [()]
 tracerTables traced =
   seq (tracerMatter traced) () : seq (tracerSky traced) () : [seq (tracerTable traced) () | sceneIntegrator (tracerScene traced) == Tabulated]
 
--- | Follow a line of sight by the scene's own integrator and hand the stretches
--- that lie where there can be gas to the gatherer. The point of the picture is
--- the one it goes through.
+-- | Follows a line of sight by the scene's integrator and passes the segments that may
+-- contain gas to the gathering function. The line of sight must be the one through this
+-- point of the picture.
 followSight :: Tracer -> XY -> SightLine -> (a -> Stretch -> Onward a) -> a -> Followed a
 followSight traced point sight = case sceneIntegrator scene of
   Tabulated -> followSwept space (tracerTable traced) region (stepPhase point) photon
@@ -139,10 +139,10 @@ followSight traced point sight = case sceneIntegrator scene of
     region = tracerRegion traced
     photon = sightPhoton sight
 
--- | The light of everything along a line of sight, and what is behind it.
+-- | The light of everything along a line of sight, and what lies behind it.
 followLight :: Tracer -> XY -> SightLine -> Followed Gathered
 followLight traced point sight = case (sceneIntegrator scene, tracerMatter traced) of
-  -- The one case that is compiled into a loop of its own.
+  -- The one case compiled into a loop of its own.
   (Tabulated, Gaseous glowing) ->
     followSwept
       (sceneSpacetime scene)
@@ -158,14 +158,14 @@ followLight traced point sight = case (sceneIntegrator scene, tracerMatter trace
   where
     scene = tracerScene traced
 
--- | Where on its first step a path enters the gas, 0 … 1: spread evenly over the
--- samples of a pixel and over its neighbours, so that what one step misses
--- another sees. (The additive recurrence of the plastic number.)
+-- | The phase of the first step in the gas, 0 to 1. Phases are spread evenly over the
+-- samples of a pixel and its neighbours, so that one step finds what another misses
+-- (the additive recurrence of the plastic number).
 stepPhase :: XY -> Double
 stepPhase (XY x y) = 0.5 + turnFraction (0.7548776662466927 * x + 0.5698402909980532 * y)
 
--- | @addSamples traced from to estimate column row@: the estimate with the
--- pixel's samples from one number up to another, which is left out.
+-- | @addSamples traced from to estimate column row@ is the estimate with the pixel's
+-- samples numbered @from@ to @to − 1@ added.
 addSamples :: Tracer -> Int -> Int -> Estimate -> Int -> Int -> Estimate
 addSamples prepared from to estimate column row = go from estimate
   where
@@ -176,7 +176,7 @@ addSamples prepared from to estimate column row = go from estimate
          in go (index + 1) (addSample (tracerGain traced) weight (sightRadiance traced place) sums)
       | otherwise = sums
 
--- | The same of three pixels in a row, from a column on.
+-- | 'addSamples' for three pixels in a row, starting at a column.
 addSamplesToThree :: Tracer -> Int -> Int -> Estimate -> Estimate -> Estimate -> Int -> Int -> (Estimate, Estimate, Estimate)
 addSamplesToThree traced from to estimate0 estimate1 estimate2 column row = case sceneIntegrator scene of
   Leapfrogging -> go from estimate0 estimate1 estimate2
@@ -194,15 +194,15 @@ addSamplesToThree traced from to estimate0 estimate1 estimate2 column row = case
          in go (index + 1) (add w0 r0 sums0) (add w1 r1 sums1) (add w2 r2 sums2)
       | otherwise = (sums0, sums1, sums2)
 
--- | What 'addSamples' estimates of a pixel from a single sample: with nothing to
--- weigh, its light as it is, without what a filter or a sum might make negative.
+-- | The estimate of 'addSamples' from a single sample: its radiance, with neither
+-- weights nor the negative values that a filter or a sum might produce.
 onlySample :: Tracer -> Int -> Int -> Radiance
 onlySample traced column row = mapRadiance (max 0) (sightRadiance traced place)
   where
     Sample place _ = samplePoint (tracerScene traced) column row 0
 {-# INLINE onlySample #-}
 
--- | 'sightRadiance' of three points, by three leapfrogs side by side.
+-- | 'sightRadiance' of three points, from three leapfrogs interleaved on one core.
 threeSights :: Tracer -> XY -> XY -> XY -> (Radiance, Radiance, Radiance)
 threeSights traced p0 p1 p2 = case (tracedSight traced p0, tracedSight traced p1, tracedSight traced p2) of
   (Just s0, Just s1, Just s2) ->
@@ -221,44 +221,44 @@ threeSights traced p0 p1 p2 = case (tracedSight traced p0, tracedSight traced p1
   where
     scene = tracerScene traced
 
--- | Radiance that arrives at one point of the picture (pixels from the top
--- left corner).
+-- | The radiance that arrives at a point of the picture, in pixels from the top left
+-- corner.
 sightRadiance :: Tracer -> XY -> Radiance
 sightRadiance prepared point = case tracedSight traced point of
   Nothing -> black
   Just sight -> seen traced point sight (followLight traced point sight)
   where
-    -- GHC would take it apart for the call and put it together again in here.
+    -- Otherwise GHC takes the record apart for the call and reassembles it here.
     traced = lazy prepared
 
--- | The gas's light and what the sky adds to it.
+-- | The light of the gas, plus the sky's contribution.
 seen :: Tracer -> XY -> SightLine -> Followed Gathered -> Radiance
 seen traced point sight (Followed fate (Gathered light transmittance) _) =
   light <+> scaleRadiance transmittance (tracedSky traced point sight fate)
 {-# INLINE seen #-}
 
--- | The scene itself.
+-- | The scene that was prepared.
 tracedScene :: Tracer -> Scene
 tracedScene = tracerScene
 
--- | The direction of sight through a point of the picture.
+-- | The viewing direction through a point of the picture.
 tracedDirection :: Tracer -> XY -> XYZ
 tracedDirection traced = sightDirection (tracerPlane traced)
 
--- | The light path that arrives at a point of the picture; 'Nothing' where it
--- is dark because none does ('sightLine').
+-- | The light path that arrives at a point of the picture; 'Nothing' if none does, so
+-- that the point is dark ('sightLine').
 tracedSight :: Tracer -> XY -> Maybe SightLine
 tracedSight traced point = sightFrom (tracerEye traced) (sightDirection (tracerPlane traced) point)
 
--- | What a stretch of the scene's gas adds, by the observer's frequency.
+-- | The contribution of a segment of the scene's gas, from the observer's frequency.
 tracedGas :: Tracer -> Double -> Gathered -> Stretch -> Onward Gathered
 tracedGas traced observed = case tracerMatter traced of
   Vacuum -> \gathered _ -> Onward gathered
   Checks disk -> gatherParity disk
   Gaseous glowing -> gatherGas glowing observed
 
--- | What the sky sends to the end of a line of sight through a point of the
--- picture, with no gas in between.
+-- | The radiance that the sky sends to the end of a line of sight through a point of
+-- the picture, without gas in between.
 tracedSky :: Tracer -> XY -> SightLine -> Fate -> Radiance
 tracedSky traced point sight fate = case fate of
   Escaped direction ->
@@ -270,10 +270,10 @@ tracedSky traced point sight fate = case fate of
   Opaque -> black
   StepLimit -> black
 
--- | The beam behind a point of the picture, past all gas, from the line of sight
--- through it and the direction in which it escapes: by the table of paths, or
--- where that has no answer from the paths through points beside it. 'Nothing'
--- where no light arrives from the sky.
+-- | The beam behind a point of the picture, beyond all gas, from the line of sight
+-- through it and the direction of escape. Uses the table of paths or, where that has no
+-- answer, the paths through points beside it. 'Nothing' if no light arrives from the
+-- sky.
 tracedBeam :: Tracer -> XY -> SightLine -> XYZ -> Maybe Beam
 tracedBeam traced point@(XY x y) sight direction = case sceneSpacetime (tracerScene traced) of
   Schwarzschild
@@ -292,14 +292,14 @@ tracedBeam traced point@(XY x y) sight direction = case sceneSpacetime (tracerSc
         Followed (Escaped d) _ _ -> Just d
         _ -> Nothing
 
--- | Whether the edge of the shadow, where all further images of the gas crowd
--- together in rings thinner than a pixel, passes through or beside the pixel around
--- a point of the picture.
+-- | Whether the edge of the shadow passes through or beside the pixel around a point of
+-- the picture. All higher-order images of the gas crowd together at that edge in rings
+-- thinner than a pixel.
 meetsPhotonRing :: Tracer -> XY -> Bool
 meetsPhotonRing traced point@(XY x y) = case (sceneSpacetime scene, tracerMatter traced, tracedOffset point) of
   (Schwarzschild, Gaseous _, Just here)
-    -- The ring is thousands of pixels away from most: be done with them cheaply.
-    -- Fast observers see it grow or shrink, but by no such factor.
+    -- Most pixels are thousands of pixels away from the ring; dismiss them cheaply.
+    -- Fast observers see the ring grow or shrink, but by less than this factor.
     | abs here < 16 * pixelAngle (sceneCamera scene) (scenePicture scene),
       Just right <- tracedOffset (XY (x + 1) y),
       Just below <- tracedOffset (XY x (y + 1)) ->
@@ -309,6 +309,6 @@ meetsPhotonRing traced point@(XY x y) = case (sceneSpacetime scene, tracerMatter
     scene = tracerScene traced
     tracedOffset = fmap (criticalOffset (tracerTable traced) . sightPhoton) . tracedSight traced
 
--- | One of a pixel's samples, by column, row and number.
+-- | One of a pixel's samples, by column, row and sample number.
 samplePoint :: Scene -> Int -> Int -> Int -> Sample
 samplePoint scene = sampleOf (sceneFilter scene) (sceneSeed scene) (mostSamples scene)

@@ -1,7 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | Where the light comes from that is seen through a pixel's middle, whatever
--- it is: how far it was bent, and where it met the disk's plane.
+-- | The geometry of the light path through the middle of a pixel: its deflection, and
+-- where it meets the disk's plane.
 module BlackHole.Trace.PixelGeometry
   ( PixelGeometry (..),
     DiskHit (..),
@@ -23,33 +23,32 @@ import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^), (^-^))
 import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Maybe (fromMaybe, listToMaybe, mapMaybe)
 
--- | Of one line of sight.
+-- | The geometry of one line of sight.
 data PixelGeometry = PixelGeometry
-  { -- | Radians by which the path from the sky is turned, as
-    -- 'BlackHole.Physics.Course.courseDeflection' has it: 0 where there is no
-    -- gravity, beyond 2π for light that went all round the hole. 'Nothing' for a
-    -- path that does not come from the sky. That gas may hide the sky there makes
-    -- no difference.
+  { -- | The deflection in radians of the path from the sky, as defined by
+    -- 'BlackHole.Physics.Course.courseDeflection': 0 without gravity, above 2π for
+    -- light that went all around the hole. 'Nothing' for a path that does not come from
+    -- the sky. Gas that hides the sky makes no difference.
     geometryDeflection :: !(Maybe Double),
-    -- | The first one from the camera.
+    -- | The first hit from the camera.
     geometryDiskHit :: !(Maybe DiskHit)
   }
   deriving (Eq, Show)
 
--- | Where a line of sight goes through the disk's plane between the disk's inner
--- and outer radius.
+-- | A point where a line of sight passes through the disk's plane between the disk's
+-- inner and outer radius.
 data DiskHit = DiskHit
-  { -- | Schwarzschild radii.
+  { -- | In Schwarzschild radii.
     hitRadius :: !Double,
-    -- | ν_obs\/ν_em of light from gas there, by gravity and motion, whether or not
+    -- | ν_obs\/ν_em of light from gas there, due to gravity and motion, whether or not
     -- the scene shows these shifts.
     hitRedshift :: !Double
   }
   deriving (Eq, Show)
 
--- | What there is to say of the pixels of a scene, by column and row: each costs
--- some 200 ns. Paths are the tabulated ones whatever the scene's integrator.
--- 'Nothing' if the camera looks nowhere ('cameraFrame').
+-- | The geometry of a scene's pixels, by column and row, at about 200 ns each. Uses the
+-- tabulated paths whatever the scene's integrator. 'Nothing' if the camera has no
+-- direction of view ('cameraFrame').
 pixelGeometry :: Scene -> Maybe (Int -> Int -> PixelGeometry)
 pixelGeometry scene = at <$> cameraFrame (sceneCamera scene)
   where
@@ -75,7 +74,8 @@ pixelGeometry scene = at <$> cameraFrame (sceneCamera scene)
       where
         !radial = XYZ.dot velocity outset
         across = velocity ^-^ radial *^ outset
-        -- A radial path sweeps no angle; its neighbour does, in any plane.
+        -- A radial path sweeps no angle, so its neighbour in an arbitrary plane
+        -- replaces it.
         !tangential = max (1e-9 * XYZ.norm velocity) (XYZ.norm across)
         !onward = fromMaybe (XYZ.perpendicular outset) (XYZ.normalize across)
         straight = atan2 tangential radial

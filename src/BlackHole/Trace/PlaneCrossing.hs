@@ -1,5 +1,5 @@
--- | Where a line of sight crosses the disk's plane @y = 0@, and how light from
--- gas there would be shifted.
+-- | The crossings of a line of sight with the disk's plane @y = 0@, and the shift of
+-- light from gas there.
 module BlackHole.Trace.PlaneCrossing
   ( PlaneCrossing (..),
     planeCrossings,
@@ -21,22 +21,22 @@ import Data.Maybe (maybeToList)
 
 -- | One crossing.
 data PlaneCrossing = PlaneCrossing
-  { -- | Schwarzschild radii.
+  { -- | In Schwarzschild radii.
     crossingRadius :: !Double,
-    -- | @atan2 z x@, radians.
+    -- | @atan2 z x@ in radians.
     crossingAzimuth :: !Double,
-    -- | The shift of light from gas there on its way to the observer, as the
-    -- renderer computes it; 'Nothing' at and inside the horizon.
+    -- | The shift of light from gas there on its way to the observer, as the renderer
+    -- computes it; 'Nothing' at and inside the horizon.
     crossingShift :: !(Maybe RedshiftParts)
   }
   deriving (Eq, Show)
 
--- | All crossings along the whole path, in the order in which they are met
--- from the camera, whether or not gas hides them. The camera's own place does
--- not count, and neither does a path that lies in the plane.
+-- | All crossings along the whole path, in order from the camera, whether or not gas
+-- hides them. The camera's own position does not count. Empty for a path that lies in
+-- the plane.
 --
--- Exact orbits give them in closed form; the leapfrog's are interpolated
--- between its steps, with an error of its own order.
+-- For exact orbits the crossings follow in closed form. For the leapfrog they are
+-- interpolated between its steps, with an error of the order of the leapfrog's own.
 planeCrossings :: Scene -> SightLine -> [PlaneCrossing]
 planeCrossings scene (SightLine photon observed) =
   map (crossingAt observed) $ case (sceneIntegrator scene, sceneSpacetime scene) of
@@ -49,11 +49,12 @@ crossingAt observed (Photon place@(XYZ x _ z) velocity) =
   PlaneCrossing
     { crossingRadius = XYZ.norm place,
       crossingAzimuth = atan2 z x,
-      -- The light runs the other way.
+      -- The light travels the other way.
       crossingShift = gasRedshift observed place (XYZ.negated velocity)
     }
 
--- | A straight ray crosses once at most, and not behind the black ball.
+-- | The crossing of a straight ray, which crosses at most once and not behind the black
+-- ball.
 straightCrossing :: Photon -> Maybe Photon
 straightCrossing photon@(Photon place@(XYZ _ y _) velocity@(XYZ _ climb _))
   | y * climb < 0 && t < straightImpact photon = Just (Photon (place ^+^ t *^ velocity) velocity)
@@ -61,7 +62,7 @@ straightCrossing photon@(Photon place@(XYZ _ y _) velocity@(XYZ _ climb _))
   where
     t = negate y / climb
 
--- | Between the middles of two steps on either side of the plane.
+-- | Crossings interpolated between the middles of steps on either side of the plane.
 leapfrogCrossings :: Scene -> Photon -> [Photon]
 leapfrogCrossings scene start =
   reverse (snd (followedState (followLeapfrog (sceneLeapfrog scene) (sceneSpacetime scene) everywhere start gather (start, []))))

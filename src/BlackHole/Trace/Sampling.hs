@@ -1,14 +1,13 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | Where in and around a pixel its samples are taken.
+-- | The positions of a pixel's samples.
 --
--- Every pixel draws its own samples, distributed like the reconstruction filter
--- around its middle (Ernst, Stamminger and Greiner 2006, "Filter importance
--- sampling"), so that a pixel is a function of the scene and its place alone and
--- pictures can be cut into bands anywhere. The points are the first two
--- dimensions of Sobol's sequence, shifted by random digits hashed from the seed
--- and the pixel: any 4^k of them from the beginning lie one in each cell of a
--- grid, however many follow.
+-- Every pixel draws its own samples, distributed like the reconstruction filter around
+-- its middle (Ernst, Stamminger and Greiner 2006, "Filter importance sampling"). A
+-- pixel is therefore a function of the scene and its position alone, and pictures can
+-- be cut into bands anywhere. The points are the first two dimensions of Sobol's
+-- sequence, shifted by random digits hashed from the seed and the pixel. For any k, the
+-- first 4^k of them lie one in each cell of a grid.
 module BlackHole.Trace.Sampling
   ( Sample (..),
     sampleOf,
@@ -23,16 +22,16 @@ import Data.Bits (shiftR, testBit, unsafeShiftR, xor)
 import Data.Primitive.PrimArray
 import Data.Word (Word32, Word64, bitReverse32)
 
--- | A point of the picture, in pixels from the top left corner, and the weight
--- with which it counts: 1, or −1 where the filter is negative.
+-- | A point of the picture in pixels from the top left corner, and its weight: 1, or −1
+-- where the filter is negative.
 data Sample = Sample
   { samplePlace :: {-# UNPACK #-} !XY,
     sampleWeight :: {-# UNPACK #-} !Double
   }
   deriving (Eq, Show)
 
--- | @sampleOf filter seed count column row index@: one of the samples of a pixel,
--- numbered from 0. Where there is only one it sits in the middle.
+-- | @sampleOf filter seed count column row index@ is a sample of a pixel; the index
+-- starts at 0. If the count is 1, the sample sits in the middle of the pixel.
 sampleOf :: Filter -> Word64 -> Int -> Int -> Int -> Int -> Sample
 sampleOf reconstruction !seed !count !column !row !index
   | count == 1 = at 0.5 0.5 1
@@ -54,8 +53,8 @@ sampleOf reconstruction !seed !count !column !row !index
     v = fraction (sobolSecond i `xor` fromIntegral shifts)
     fraction w = (fromIntegral w + 0.5) / 4294967296
 
--- | The second dimension of Sobol's sequence: the binary digits times Pascal's
--- triangle modulo 2.
+-- | The second dimension of Sobol's sequence: the binary digits times Pascal's triangle
+-- modulo 2.
 sobolSecond :: Word32 -> Word32
 sobolSecond = go 0 0x80000000
   where
@@ -66,8 +65,8 @@ sobolSecond = go 0 0x80000000
         (column `xor` (column `unsafeShiftR` 1))
         (rest `unsafeShiftR` 1)
 
--- | The offset along one axis at a quantile of the filter's modulus, and the
--- filter's sign there.
+-- | The offset along one axis at a quantile of the filter's modulus, and the sign of
+-- the filter there.
 mitchellOffset :: Double -> (Double, Double)
 mitchellOffset u = (x, if abs x > zeroOfMitchell then -1 else 1)
   where
@@ -76,11 +75,11 @@ mitchellOffset u = (x, if abs x > zeroOfMitchell then -1 else 1)
     b = indexPrimArray mitchellQuantiles (min quantileCount (i + 1))
     x = a + t * (b - a)
 
--- | Where the filter turns negative.
+-- | The offset at which the filter becomes negative.
 zeroOfMitchell :: Double
 zeroOfMitchell = 1.1428571428571428
 
--- | The filter itself, for B = C = 1\/3.
+-- | The filter of Mitchell and Netravali (1988) for B = C = 1\/3.
 mitchell :: Double -> Double
 mitchell x
   | d < 1 = (7 * d * d * d - 12 * d * d + 16 / 3) / 6
@@ -92,7 +91,7 @@ mitchell x
 quantileCount :: Int
 quantileCount = 4096
 
--- | Where the modulus of the filter, integrated from −2, reaches each
+-- | The offsets at which the integral of the filter's modulus from −2 reaches each
 -- 4096th of the whole.
 mitchellQuantiles :: PrimArray Double
 mitchellQuantiles = primArrayFromListN (quantileCount + 1) (go 0 0 (zip places sums))

@@ -1,4 +1,4 @@
--- | Independent seeds for everything random in a scene, from the scene's own.
+-- | Independent seeds for everything random in a scene, derived from the scene's seed.
 module BlackHole.Trace.Seeds
   ( Purpose (..),
     purposeSeed,
@@ -9,8 +9,8 @@ import BlackHole.Noise.PerlinG (Seed (..))
 import BlackHole.Noise.SipHash (SipKey (..), sipHash2)
 import Data.Word (Word64)
 
--- | What the randomness is for. The order is part of every picture: add at
--- the end.
+-- | The use of the random numbers. Every picture depends on the order of the
+-- constructors, so add new ones at the end.
 data Purpose
   = ArmDisplacement
   | GasTurbulence
@@ -20,7 +20,7 @@ data Purpose
   | GalacticClouds
   deriving (Eq, Show, Enum, Bounded)
 
--- | The seed of one purpose under a scene's seed.
+-- | The seed for one purpose under a scene's seed.
 purposeSeed :: Word64 -> Purpose -> Seed
 purposeSeed seed purpose =
   Seed (sipHash2 (SipKey seed 0x707572706f7365) 0 (fromIntegral (fromEnum purpose)))

@@ -1,12 +1,12 @@
--- | Vectors of the plane: strict, monomorphic 'Double' pairs.
+-- | Vectors in the plane: strict, monomorphic pairs of @Double@.
 --
--- Meant to be imported qualified, apart from the type and the operators:
+-- Import the module qualified, apart from the type and the operators:
 --
 -- > import BlackHole.Vector.XY (XY (..), (^+^))
 -- > import qualified BlackHole.Vector.XY as XY
 --
--- Monomorphic on purpose: a polymorphic strict vector boxes every component,
--- these stay in registers.
+-- The type is monomorphic because a polymorphic strict vector boxes every component,
+-- whereas these components stay in registers.
 module BlackHole.Vector.XY
   ( XY (..),
     zero,
@@ -24,7 +24,7 @@ infixl 6 ^+^, ^-^
 
 infixl 7 *^
 
--- | A point or displacement of the plane; the unit is the caller's.
+-- | A point or displacement in the plane; the unit is the caller's.
 data XY = XY {-# UNPACK #-} !Double {-# UNPACK #-} !Double
   deriving (Eq, Ord, Show, Read)
 
@@ -32,37 +32,37 @@ data XY = XY {-# UNPACK #-} !Double {-# UNPACK #-} !Double
 zero :: XY
 zero = XY 0 0
 
--- | Sum, component by component.
+-- | The componentwise sum.
 (^+^) :: XY -> XY -> XY
 XY a b ^+^ XY x y = XY (a + x) (b + y)
 {-# INLINE (^+^) #-}
 
--- | Difference, component by component.
+-- | The componentwise difference.
 (^-^) :: XY -> XY -> XY
 XY a b ^-^ XY x y = XY (a - x) (b - y)
 {-# INLINE (^-^) #-}
 
--- | Product of a number and a vector.
+-- | The product of a number and a vector.
 (*^) :: Double -> XY -> XY
 k *^ XY x y = XY (k * x) (k * y)
 {-# INLINE (*^) #-}
 
--- | Scalar product.
+-- | The scalar product.
 dot :: XY -> XY -> Double
 dot (XY a b) (XY x y) = a * x + b * y
 {-# INLINE dot #-}
 
--- | Squared length.
+-- | The squared length.
 normSquared :: XY -> Double
 normSquared v = dot v v
 {-# INLINE normSquared #-}
 
--- | Length.
+-- | The length.
 norm :: XY -> Double
 norm = sqrt . normSquared
 {-# INLINE norm #-}
 
--- | @lerp t a b@ is @a@ at @t = 0@, @b@ at @t = 1@, and straight between.
+-- | @lerp t a b@ interpolates linearly: it is @a@ at @t = 0@ and @b@ at @t = 1@.
 lerp :: Double -> XY -> XY -> XY
 lerp t a b = a ^+^ t *^ (b ^-^ a)
 {-# INLINE lerp #-}

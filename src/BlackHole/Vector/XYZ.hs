@@ -1,11 +1,11 @@
--- | Vectors of space: strict, monomorphic 'Double' triples.
+-- | Vectors in space: strict, monomorphic triples of @Double@.
 --
--- Meant to be imported qualified, apart from the type and the operators:
+-- Import the module qualified, apart from the type and the operators:
 --
 -- > import BlackHole.Vector.XYZ (XYZ (..), (^+^))
 -- > import qualified BlackHole.Vector.XYZ as XYZ
 --
--- Axes are right-handed and the disk's axis is @+y@ throughout the program.
+-- Axes are right-handed, and the disk's axis is @+y@ throughout the program.
 module BlackHole.Vector.XYZ
   ( XYZ (..),
     zero,
@@ -29,8 +29,8 @@ infixl 6 ^+^, ^-^
 
 infixl 7 *^
 
--- | A point or displacement of space. Positions are in units of the
--- Schwarzschild radius; directions are pure numbers.
+-- | A point or displacement in space. Positions are in Schwarzschild radii; directions
+-- are dimensionless.
 data XYZ
   = XYZ
       {-# UNPACK #-} !Double
@@ -38,56 +38,57 @@ data XYZ
       {-# UNPACK #-} !Double
   deriving (Eq, Ord, Show, Read)
 
--- | The origin: the centre of the hole.
+-- | The origin, which is the centre of the hole.
 zero :: XYZ
 zero = XYZ 0 0 0
 
--- | Sum, component by component.
+-- | The componentwise sum.
 (^+^) :: XYZ -> XYZ -> XYZ
 XYZ a b c ^+^ XYZ x y z = XYZ (a + x) (b + y) (c + z)
 {-# INLINE (^+^) #-}
 
--- | Difference, component by component.
+-- | The componentwise difference.
 (^-^) :: XYZ -> XYZ -> XYZ
 XYZ a b c ^-^ XYZ x y z = XYZ (a - x) (b - y) (c - z)
 {-# INLINE (^-^) #-}
 
--- | Product of a number and a vector.
+-- | The product of a number and a vector.
 (*^) :: Double -> XYZ -> XYZ
 k *^ XYZ x y z = XYZ (k * x) (k * y) (k * z)
 {-# INLINE (*^) #-}
 
--- | The vector of the same length that points the other way.
+-- | The vector of equal length in the opposite direction.
 negated :: XYZ -> XYZ
 negated (XYZ x y z) = XYZ (negate x) (negate y) (negate z)
 {-# INLINE negated #-}
 
--- | Scalar product.
+-- | The scalar product.
 dot :: XYZ -> XYZ -> Double
 dot (XYZ a b c) (XYZ x y z) = a * x + b * y + c * z
 {-# INLINE dot #-}
 
--- | Vector product, right-handed: @cross x y == z@ for the axes.
+-- | The right-handed vector product: @cross x y == z@ for the axes.
 cross :: XYZ -> XYZ -> XYZ
 cross (XYZ a b c) (XYZ x y z) =
   XYZ (b * z - c * y) (c * x - a * z) (a * y - b * x)
 {-# INLINE cross #-}
 
--- | Squared length.
+-- | The squared length.
 normSquared :: XYZ -> Double
 normSquared v = dot v v
 {-# INLINE normSquared #-}
 
--- | Length.
+-- | The length.
 norm :: XYZ -> Double
 norm = sqrt . normSquared
 {-# INLINE norm #-}
 
--- | The unit vector of the same direction; 'Nothing' where there is none,
--- because the length is zero, not finite, or too small to invert.
+-- | The unit vector in the same direction; 'Nothing' if the length is zero, not finite,
+-- or too small to invert.
 normalize :: XYZ -> Maybe XYZ
 normalize v
-  -- The difference from itself is NaN for an infinity. GHC asks a C function.
+  -- An infinity minus itself is NaN. This avoids @isInfinite@, for which GHC calls a C
+  -- function.
   | n > 0 && n - n == 0 && k - k == 0 = Just (k *^ v)
   | otherwise = Nothing
   where
@@ -95,19 +96,20 @@ normalize v
     k = 1 / n
 {-# INLINE normalize #-}
 
--- | Some unit vector at right angles to a unit vector.
+-- | A unit vector perpendicular to the given unit vector; which one is unspecified.
 perpendicular :: XYZ -> XYZ
 perpendicular (XYZ x y z)
-  -- Crossed with the axis that is far enough from it, and divided by the length.
+  -- The cross product with an axis that is far enough from the vector, divided by its
+  -- length.
   | abs x < 0.7 = let n = sqrt (y * y + z * z) in XYZ 0 (z / n) (negate y / n)
   | otherwise = let n = sqrt (x * x + z * z) in XYZ (negate z / n) 0 (x / n)
 
--- | Distance of two points.
+-- | The distance between two points.
 distance :: XYZ -> XYZ -> Double
 distance a b = norm (a ^-^ b)
 {-# INLINE distance #-}
 
--- | @lerp t a b@ is @a@ at @t = 0@, @b@ at @t = 1@, and straight between.
+-- | @lerp t a b@ interpolates linearly: it is @a@ at @t = 0@ and @b@ at @t = 1@.
 lerp :: Double -> XYZ -> XYZ -> XYZ
 lerp t a b = a ^+^ t *^ (b ^-^ a)
 {-# INLINE lerp #-}

@@ -2,8 +2,8 @@
 
 -- | Arrays of pixels, filled row by row on several threads.
 --
--- This is the back end on massiv's arrays and scheduler; the one on plain
--- storable vectors exports the same names with the same meaning.
+-- This is the back end on massiv's arrays and scheduler. The back end on plain storable
+-- vectors exports the same names with the same meaning.
 module BlackHole.Render.PixelArray
   ( PixelArray,
     backendName,
@@ -26,12 +26,11 @@ import Data.Vector.Storable (Vector)
 import Data.Vector.Storable.Mutable (MVector)
 import qualified Data.Vector.Storable.Mutable as MVector
 
--- | An immutable array of pixels in the order of
--- "BlackHole.Render.PixelShape". The film of linear light is a
--- @PixelArray Float@ with three channels.
+-- | An immutable array of pixels in the order of "BlackHole.Render.PixelShape". The
+-- film of linear light is a @PixelArray Float@ with three channels.
 data PixelArray e = PixelArray !PixelShape !(Array S Ix3 e)
 
--- | Which back end this is: @"vector"@ or @"massiv"@.
+-- | The name of this back end: @"vector"@ or @"massiv"@.
 backendName :: String
 backendName = "massiv"
 
@@ -39,25 +38,23 @@ backendName = "massiv"
 pixelArrayShape :: PixelArray e -> PixelShape
 pixelArrayShape (PixelArray shape _) = shape
 
--- | @generateRows workers progress shape fillRow@ makes an array by running
--- @fillRow y row@ once for each row @y@, from 0 at the top to height − 1.
--- @row@ is that row's part of the array, width × channels numbers that are
--- zero until written.
+-- | @generateRows workers progress shape fillRow@ makes an array by running @fillRow y
+-- row@ once for each row @y@, from 0 at the top to height − 1. @row@ is that row's part
+-- of the array, width × channels numbers, initially zero.
 --
--- Each of the workers takes the next row as soon as it is free, so rows of
--- unequal cost keep all of them busy. The contents do not depend on the number
--- of workers. How many run at the same time is the matter of
--- 'BlackHole.Render.Workers.withWorkers'.
+-- Each worker takes the next row as soon as it is free, so rows of unequal cost keep
+-- all workers busy. The contents do not depend on the number of workers.
+-- 'BlackHole.Render.Workers.withWorkers' determines how many run at the same time.
 --
--- @progress@ is called by one thread with growing counts of finished rows, at
--- last with the height; counts are skipped while a call is running.
+-- One thread calls @progress@ with increasing counts of finished rows, the last of
+-- which is the height. Counts are skipped while a call is running.
 --
--- An exception in a row or in @progress@ stops all workers and is rethrown
--- here; so is an exception thrown to the caller (an interrupt, a time limit).
--- Workers then give up in the midst of their rows. Only a row that allocates
--- no memory at all can't be interrupted and is finished first.
+-- An exception in a row or in @progress@ stops all workers and is rethrown to the
+-- caller. An exception thrown to the caller (an interrupt or a time limit) also stops
+-- them. Workers then abandon their rows midway. Only a row that allocates no memory at
+-- all cannot be interrupted and is finished first.
 --
--- Beyond the array, memory is a small constant per row at most.
+-- Beyond the array, the function needs at most a small constant of memory per row.
 generateRows ::
   Storable e =>
   Workers ->
@@ -69,8 +66,8 @@ generateRows crew progress shape fillRow =
   withRowCount (shapeHeight shape) progress $ \rowFinished ->
     PixelArray shape
       <$> Massiv.createArray_
-        -- Each worker is bound to a processor: of 320 measured pictures, the
-        -- free workers of 'ParN' made 6 on one processor alone, these none.
+        -- Each worker is bound to a processor. Of 320 measured pictures, the free
+        -- workers of 'ParN' rendered 6 on one processor alone, bound workers none.
         (ParOn [0 .. min (workersCount crew) (shapeHeight shape) - 1])
         (massivSize shape)
         ( \scheduler pixels ->
@@ -84,8 +81,8 @@ generateRows crew progress shape fillRow =
                 rowFinished
         )
 
--- | An array of the given shape on the vector's own memory, without copying;
--- 'Nothing' if the vector's length is another than the shape's.
+-- | An array of the given shape that shares the vector's memory; 'Nothing' if the
+-- vector's length does not match the shape.
 fromPixelVector :: Storable e => PixelShape -> Vector e -> Maybe (PixelArray e)
 fromPixelVector shape =
   fmap (PixelArray shape) . castFromVector Seq (massivSize shape)
