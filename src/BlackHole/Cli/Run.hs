@@ -45,7 +45,8 @@ import BlackHole.Scene.File.SceneFile (printScene)
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Validate
 import BlackHole.SelfTest.Check (Check, checkHolds)
-import BlackHole.Trace.Explain (explainPixelUnder)
+import BlackHole.Trace.Explain (explainPixel)
+import BlackHole.Trace.Pixel (tracerUnder)
 import BlackHole.Trace.SkyImage (SkyImage)
 import Control.Applicative ((<|>))
 import Control.Exception (IOException, SomeAsyncException (..), SomeException, catch, displayException, fromException, throwIO, try)
@@ -444,7 +445,7 @@ scenes task = do
 
 -- | One pixel explained instead.
 explain :: Scene -> (Int, Int) -> Maybe SkyImage -> IO ExitStatus
-explain scene (x, y) sky = case explainPixelUnder sky scene x y of
+explain scene (x, y) sky = case tracerUnder sky scene >>= \traced -> explainPixel traced x y of
   Just explanation -> Done <$ mapM_ putStrLn (explanationLines scene explanation)
   Nothing -> untraceable
 

@@ -14,6 +14,7 @@ import Support.Approx
 import Support.Generators
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
+import Test.QuickCheck (elements, forAll)
 
 spec :: Spec
 spec = do
@@ -39,6 +40,20 @@ spec = do
           let expected = starFlux alone 0 * (magnification (imageAt beta) + magnification (imageAt (-beta))),
           let flux = lensedFlux beta
       ]
+  prop "narrow beams of any shape see every star within the kernel, also across the edges of the cube" $ \(Direction d) (Direction across) ->
+    forAll ((,,) <$> inRange 0.005 0.03 <*> inRange 0.2 1 <*> elements [d, unit (XYZ 1 1 0.02), unit (XYZ (-1) 1.01 1), unit (XYZ 0.99 (-1) (-1))]) $ \(width, ratio, middle) ->
+      let beam = Beam middle (width *^ a) ((ratio * width) *^ unit (b ^+^ 0.4 *^ a))
+          a = unit (XYZ.cross middle across)
+          b = XYZ.cross a middle
+          expected = bySearch beam
+       in closeTo (1e-4 * (1e-9 + expected)) expected (luminance (starFieldRadiance hundreds 1 beam))
+  it "on a caustic a star is as bright as in a beam of a sixtieth of the width, or four pixels from it where that is less" $
+    sequence_
+      [ luminance (starFieldRadiance field 1 (Beam star (width *^ right) ((1e-5 * width) *^ down)))
+          `shouldBeWithin` (1e-3 * expected, expected)
+        | width <- [0.01, 1e-3],
+          let expected = starFlux alone 0 * pixelKernel 0 ^ (2 :: Int) / (width * width * min (1 / 60) (4 * width))
+      ]
   it "narrow beams see on average what wide ones see" $ do
     let many = starField 1 (starCatalogue (Seed 5) 20000)
         average width = sum [luminance (starFieldRadiance many 1 (spiralBeam width i)) | i <- [0 .. 19999]] / 20000
@@ -60,6 +75,20 @@ spec = do
     (luminance (starFieldRadiance field 1.5 beam) / luminance (starFieldRadiance field 1 beam)) `shouldBeWithin` (1e-3, 1.5 ** 4)
     (b' / r') `shouldSatisfy` (> b / r)
   where
+    -- As few as are all in one tier.
+    catalogue = starCatalogue (Seed 5) 400
+    hundreds = starField 1 catalogue
+    bySearch beam =
+      sum
+        [ starFlux catalogue i * pixelKernel (XYZ.dot p s) * pixelKernel (XYZ.dot q s)
+          | i <- [0 .. 399],
+            let s = starDirection catalogue i,
+            XYZ.dot s (beamDirection beam) > 0
+        ]
+        / abs (beamSolidAngle beam)
+      where
+        (p, q) = beamAxes beam
+
     alone = starCatalogue (Seed 1) 1
     field = starField 1 alone
     star = starDirection alone 0
