@@ -4,6 +4,7 @@ import BlackHole.Physics.GasMotion (keplerianRate)
 import BlackHole.Scene.Disk
 import BlackHole.Trace.GasField
 import BlackHole.Vector.XYZ (XYZ (..))
+import qualified BlackHole.Vector.XYZ as XYZ
 import Support.Approx
 import Test.Hspec
 
@@ -15,11 +16,12 @@ spec = do
     it "take the noise that displaces them along" $
       turnsWith plainArms {diskArmNoise = 3, diskArmNoiseFrequency = 0.5, diskArmNoiseOctaves = 2}
     it "are displaced by noise" $
-      spread [density plainArms {diskArmNoise = 3, diskArmNoiseFrequency = 0.5} p - density plainArms p | p <- places 6 0.2] `shouldSatisfy` (> 0.01)
+      spread (zipWith (-) (map (density plainArms {diskArmNoise = 3, diskArmNoiseFrequency = 0.5}) (places 6 0.2)) (map (density plainArms) (places 6 0.2))) `shouldSatisfy` (> 0.01)
     it "are as many as the disk says" $
       sequence_
-        [ density plainArms {diskArms = n} (at 6 (turn + 1 / fromIntegral n) 0.2) `shouldBeWithin` (1e-6, density plainArms {diskArms = n} (at 6 turn 0.2))
+        [ seen (at 6 (turn + 1 / fromIntegral n) 0.2) `shouldBeWithin` (1e-6, seen (at 6 turn 0.2))
           | n <- [1, 2, 3],
+            let seen = density plainArms {diskArms = n},
             turn <- turns
         ]
     it "wind as the disk says: an arm's angle falls by the winding for each unit of radius" $
@@ -38,8 +40,10 @@ spec = do
         ]
     it "changes without a jump, also where one pattern gives way to the next" $
       sequence_
-        [ density turbulent {diskTime = (lives + 1e-7) * life} p `shouldBeWithin` (1e-3, density turbulent {diskTime = (lives - 1e-7) * life} p)
+        [ after p `shouldBeWithin` (1e-3, before' p)
           | lives <- map (* 0.25) [1 .. 12],
+            let after = density turbulent {diskTime = (lives + 1e-7) * life}
+                before' = density turbulent {diskTime = (lives - 1e-7) * life},
             p <- take 6 (places 5 0.05)
         ]
     it "is another one after each life" $
@@ -62,33 +66,49 @@ spec = do
   describe "without arms and turbulence" $ do
     it "falls off like a Gaussian with the height" $
       sequence_
-        [ density smooth (at r 0.3 y) `shouldBeWithin` (1e-3, density smooth (at r 0.3 0) - (y / diskThicknessAt smooth r) ^ (2 :: Int))
+        [ calm (at r 0.3 y) `shouldBeWithin` (1e-3, calm (at r 0.3 0) - (y / diskThicknessAt smooth r) ^ (2 :: Int))
           | r <- [5, 8],
             y <- [0.05, -0.1]
         ]
     it "is half as dense at the inner edge, and nothing beyond the outer one" $ do
-      density smooth (at 3 0 0) `shouldBeWithin` (1e-2, log 0.5)
-      density smooth (at 16 0 0) `shouldSatisfy` (< faintest)
+      calm (at 3 0 0) `shouldBeWithin` (1e-2, log 0.5)
+      calm (at 16 0 0) `shouldSatisfy` (< faintest)
     it "does not change with time" $
-      density smooth {diskTime = 77} (at 6 0.1 0.05) `shouldBe` density smooth (at 6 0.1 0.05)
+      density smooth {diskTime = 77} (at 6 0.1 0.05) `shouldBe` calm (at 6 0.1 0.05)
   where
     -- Under a rotation by the arms' own angle nothing changes.
     turnsWith disk =
       sequence_
-        [ density disk {diskTime = time} (at 6 (turn + rate (sqrt (3 * 16)) * time) 0.2) `shouldBeWithin` (1e-6, density disk (at 6 turn 0.2))
-          | time <- [3, 40],
+        [ later (at 6 (turn + rate (sqrt (3 * 16)) * time) 0.2) `shouldBeWithin` (1e-6, now (at 6 turn 0.2))
+          | let now = density disk,
+            time <- [3, 40],
+            let later = density disk {diskTime = time},
             turn <- turns
         ]
     turns = [0, 0.13 .. 0.95]
     -- The arms' wave without the flare: what they take from the height's part.
-    thinness r turn = sqrt ((density smooth (at r turn 0) - density plainArms (at r turn 0.2)) / (0.2 / diskThicknessAt smooth r) ^ (2 :: Int))
-    smeared len (XYZ x y z) = logDensity (fieldOf turbulent) (XYZ x y z) (sqrt (x * x + y * y + z * z)) len
+    thinness r turn = sqrt ((calm (at r turn 0) - armed (at r turn 0.2)) / (0.2 / diskThicknessAt smooth r) ^ (2 :: Int))
+    smeared len place = along turbulentField place len
     ring r shift = [at r (shift + fromIntegral k / 64) 0 | k <- [0 .. 63 :: Int]]
     places r y = [at r (fromIntegral k / 64) y | k <- [0 .. 63 :: Int]]
 
 -- | Logarithm of the density, as finely as it goes.
+-- Made for a disk once if that is the only argument.
 density :: Disk -> XYZ -> Double
-density disk place@(XYZ x y z) = logDensity (fieldOf disk) place (sqrt (x * x + y * y + z * z)) 1e-3
+density disk = \place -> along field place 1e-3
+  where
+    field = fieldOf disk
+
+along :: GasField -> XYZ -> Double -> Double
+along field place = logDensity field place (XYZ.norm place)
+
+-- | Fields that many examples share.
+turbulentField :: GasField
+turbulentField = fieldOf turbulent
+
+calm, armed :: XYZ -> Double
+calm = density smooth
+armed = density plainArms
 
 fieldOf :: Disk -> GasField
 fieldOf disk = gasField 7 disk (XYZ 0 2 30) 1e-6 1

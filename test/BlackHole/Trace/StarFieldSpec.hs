@@ -9,6 +9,7 @@ import BlackHole.Trace.StarField
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
 import qualified BlackHole.Vector.XYZ as XYZ
+import Control.Monad (forM_)
 import Data.Maybe (fromMaybe)
 import Support.Approx
 import Support.Generators
@@ -47,6 +48,13 @@ spec = do
           b = XYZ.cross a middle
           expected = bySearch beam
        in closeTo (1e-4 * (1e-9 + expected)) expected (luminance (starFieldRadiance hundreds 1 beam))
+  it "looks for stars no farther away than the kernel reaches" $
+    -- A larger window costs time and shows in no picture.
+    forM_ [1e-4, 0.003, 0.02] $ \width ->
+      starWindows (Beam (XYZ 0 0 1) (XYZ width 0 0) (XYZ 0 (0.5 * width) 0)) `shouldSatisfy` \windows -> case windows of
+        [Window 4 u0 u1 v0 v1] ->
+          and [edge >= 1 && edge < 1.06 | (end, half) <- [(-u0, width), (u1, width), (-v0, 0.5 * width), (v1, 0.5 * width)], let edge = end / (kernelRadius * half)]
+        _ -> False
   it "on a caustic a star is as bright as in a beam of a sixtieth of the width, or four pixels from it where that is less" $
     sequence_
       [ luminance (starFieldRadiance field 1 (Beam star (width *^ right) ((1e-5 * width) *^ down)))
