@@ -1,19 +1,23 @@
 -- | The program @blackhole@.
 module Main (main) where
 
+import BlackHole.Cli.Descriptors (openClosedDescriptors)
 import BlackHole.Cli.Leave (leave)
 import BlackHole.Cli.Run (run)
 import BlackHole.Cli.Signals (stoppable)
 import System.Environment (getArgs)
-import System.IO (hSetEncoding, mkTextEncoding, stderr, stdout)
+import System.IO (BufferMode (LineBuffering), hSetBuffering, hSetEncoding, mkTextEncoding, stderr, stdout)
 
 main :: IO ()
 main = do
-  -- Without a locale, a message would end the program at the first letter
-  -- outside ASCII: one of its own, or one of an argument that it repeats.
+  openClosedDescriptors
+  -- Without a locale, the first letter outside ASCII in a message would end the
+  -- program, and messages repeat arguments.
   encoding <- mkTextEncoding "UTF-8//ROUNDTRIP"
   mapM_ (`hSetEncoding` encoding) [stdout, stderr]
+  -- One write for a line, not one for each character.
+  hSetBuffering stderr LineBuffering
   arguments <- getArgs
-  -- Films give back their claims, and a picture's part may be wanted.
+  -- A film still has claims to give back, and --keep-partial a picture to write.
   let atOnce = take 1 arguments == ["render"] && "--keep-partial" `notElem` arguments
   stoppable atOnce (run arguments) >>= leave

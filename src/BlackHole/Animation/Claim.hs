@@ -35,6 +35,7 @@ module BlackHole.Animation.Claim
   )
 where
 
+import BlackHole.Image.PartFile (machine)
 import Control.Concurrent (threadDelay)
 import Control.Concurrent.Async (withAsync)
 import Control.Exception (IOException, bracket, catch, throwIO, try)
@@ -50,11 +51,10 @@ import System.Environment (lookupEnv)
 import System.FilePath ((</>))
 import System.IO (IOMode (ReadWriteMode), hClose, openFile)
 import System.IO.Error (isAlreadyExistsError, isAlreadyInUseError, isDoesNotExistError)
-import System.Posix.Files (createLink, getFileStatus, linkCount, modificationTime, readSymbolicLink, touchFile)
+import System.Posix.Files (createLink, getFileStatus, linkCount, modificationTime, touchFile)
 import System.Posix.Internals (c_close, c_open, o_CREAT, o_EXCL, o_WRONLY)
 import System.Posix.Process (getProcessID)
 import System.Posix.Signals (nullSignal, signalProcess)
-import System.Posix.Unistd (getSystemID, nodeName)
 import Text.Read (readMaybe)
 
 -- | A process that holds claims.
@@ -75,9 +75,7 @@ data Holder = Holder
 -- | This process.
 currentHolder :: IO Holder
 currentHolder = do
-  host <- nodeName <$> getSystemID
-  boot <- quietly "" (concat . lines <$> readWhole "/proc/sys/kernel/random/boot_id")
-  space <- quietly "" (readSymbolicLink "/proc/self/ns/pid")
+  (host, boot) <- machine
   process <- fromIntegral <$> getProcessID
   started <- processStart process
   job <- lookupEnv "SLURM_JOB_ID"
@@ -85,7 +83,7 @@ currentHolder = do
   pure
     Holder
       { holderHost = host,
-        holderBoot = boot ++ space,
+        holderBoot = boot,
         holderProcess = process,
         holderStarted = fromMaybe "" started,
         holderJob = (,fromMaybe 0 (restarts >>= readMaybe)) <$> job
@@ -225,7 +223,9 @@ judge (ClaimFolder folder self patience) path = do
         -- Where no clock can be read, nothing could be claimed either.
         Right time -> quietly (Alive holder) $ do
           now <- folderClock folder self
-          pure (if realToFrac (now - time) > patience then Abandoned holder else Alive holder)
+          -- A holder touches it at the file system's own time, so that a time
+          -- far ahead is no sign of life either.
+          pure (if abs (realToFrac (now - time)) > patience then Abandoned holder else Alive holder)
     -- What the file system takes for now.
     folderClock at holder =
       bracket

@@ -21,6 +21,7 @@ where
 
 import BlackHole.Animation.CameraPath
 import BlackHole.Animation.Interpolate
+import BlackHole.Image.Moments (maximumMoments)
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Validate
 import Data.List.NonEmpty (NonEmpty (..))
@@ -69,7 +70,7 @@ maximumFrames = 1000000
 
 -- | The most moments in a frame.
 maximumShutterSamples :: Int
-maximumShutterSamples = 1024
+maximumShutterSamples = maximumMoments
 
 -- | A film in which nothing moves: 48 frames at 24 a second.
 stillFilm :: Scene -> Film

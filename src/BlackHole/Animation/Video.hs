@@ -15,6 +15,7 @@ module BlackHole.Animation.Video
   )
 where
 
+import BlackHole.Image.PartFile
 import Control.Concurrent.Async (Async, async, cancel, wait)
 import Control.Concurrent.Chan (Chan, newChan, readChan, writeChan)
 import Control.Exception (IOException, catch, mask_, try)
@@ -26,7 +27,7 @@ import Numeric (showFFloat)
 import System.Directory (findExecutable, removeFile, renameFile)
 import System.Exit (ExitCode (..))
 import System.FilePath (takeDirectory, takeExtension)
-import System.IO (Handle, hClose, hSetBinaryMode, openBinaryTempFileWithDefaultPermissions)
+import System.IO (Handle, hClose, hSetBinaryMode)
 import System.Process
 
 -- | The kinds of film files.
@@ -72,9 +73,9 @@ ffmpegArguments kind rate output =
     planes = "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv,format=yuv420p"
     colours = ["-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "iec61966-2-1", "-color_range", "tv"]
 
--- | ffmpeg, if it is installed.
+-- | ffmpeg, if it is installed. Without a variable PATH there is nowhere to look.
 findCoder :: IO (Maybe FilePath)
-findCoder = findExecutable "ffmpeg"
+findCoder = either (const Nothing) id <$> reasonOf (findExecutable "ffmpeg")
 
 -- | A film file in the making.
 data Video = Video
@@ -94,7 +95,8 @@ data Video = Video
 -- not be started.
 startVideo :: FilePath -> VideoKind -> Double -> FilePath -> IO (Either String Video)
 startVideo coder kind rate target = mask_ $ do
-  opened <- reasonOf (openBinaryTempFileWithDefaultPermissions (takeDirectory target) (".blackhole-" ++ videoExtension kind))
+  sweepPartFiles (takeDirectory target)
+  opened <- reasonOf (openPartFile (takeDirectory target) (videoExtension kind))
   case opened of
     Left reason -> pure (Left reason)
     Right (part, handle) -> do

@@ -20,6 +20,7 @@ import BlackHole.Cli.AnimateReport
 import BlackHole.Cli.CodingOptions (codingOptions)
 import BlackHole.Cli.FilmScene (frameFaults, maximumFaults)
 import BlackHole.Cli.Read
+import BlackHole.Image.AtomicFile (printable)
 import BlackHole.Image.Coding (Coding)
 import qualified BlackHole.Render.Film as Light
 import BlackHole.Render.Shard
@@ -224,14 +225,12 @@ usageProblems options film =
   where
     patience = animatePatience options
 
--- | Print what a folder's films lack; whether there are any and all are
--- complete. The first argument says a line of complaint.
-showStatus :: (String -> IO ()) -> Double -> FilePath -> IO Ending
-showStatus say patience folder = do
+-- | What a folder's films lack, as text, and whether all are complete. On the left,
+-- why there is nothing to say.
+showStatus :: Double -> FilePath -> IO (Either String (Ending, String))
+showStatus patience folder = do
   exists <- doesDirectoryExist folder
   statuses <- if exists then filmStatuses folder patience else pure []
-  case statuses of
-    [] -> WrongFilm <$ say ("--status: there is no film in " ++ folder ++ (if exists then "" else ", which does not exist"))
-    _ -> do
-      mapM_ (mapM_ putStrLn . statusLines) statuses
-      pure (if all isComplete statuses then Complete else Incomplete)
+  pure $ case statuses of
+    [] -> Left ("--status: there is no film in " ++ folder ++ (if exists then "" else ", which does not exist"))
+    _ -> Right (if all isComplete statuses then Complete else Incomplete, unlines (map printable (concatMap statusLines statuses)))

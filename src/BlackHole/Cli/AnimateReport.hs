@@ -11,11 +11,12 @@ import BlackHole.Animation.Claim (holderName)
 import BlackHole.Animation.Progress
 import BlackHole.Animation.Queue (Outcome (..))
 import BlackHole.Animation.Shoot
+import BlackHole.Cli.Console (tell)
 import Control.Monad (when)
 import Data.IORef (newIORef, readIORef, writeIORef)
 import qualified Data.Map.Strict as Map
 import GHC.Clock (getMonotonicTime)
-import System.IO (hFlush, hIsTerminalDevice, hPutStr, hPutStrLn, stderr)
+import System.IO (hIsTerminalDevice, stderr)
 
 -- | A listener that draws a bar on a terminal, and elsewhere writes a line every
 -- five seconds.
@@ -32,17 +33,16 @@ newTeller say = do
       Progressed current tally
         | terminal -> when (now - before >= 0.1) $ do
           writeIORef told now
-          hPutStr stderr ("\r\ESC[K" ++ progressBar 24 tally ++ " " ++ progressLine current tally)
-          hFlush stderr
+          tell ("\r\ESC[K" ++ progressBar 24 tally ++ " " ++ progressLine current tally)
         | otherwise -> when (now - before >= 5) $ do
           writeIORef told now
-          hPutStrLn stderr (progressLine current tally)
+          tell (progressLine current tally ++ "\n")
 
 -- | Clear the bar from a terminal.
 clearLine :: IO ()
 clearLine = do
   terminal <- hIsTerminalDevice stderr
-  when terminal $ hPutStr stderr "\r\ESC[K"
+  when terminal $ tell "\r\ESC[K"
 
 -- | The end of a run in lines: counts, frames that are in work elsewhere, and
 -- what has failed, each reason once.

@@ -16,6 +16,7 @@ module BlackHole.Cli.Progress
 where
 
 import BlackHole.Animation.Progress (durationText)
+import BlackHole.Cli.Console (tell)
 import BlackHole.Cli.Json (showDouble)
 import Control.Exception (finally)
 import Control.Monad (when)
@@ -24,7 +25,7 @@ import GHC.Clock (getMonotonicTime)
 import Numeric (showFFloat)
 import qualified System.Console.Terminal.Size as Terminal
 import System.Environment (lookupEnv)
-import System.IO (hFlush, hIsTerminalDevice, hPutStr, hPutStrLn, stderr)
+import System.IO (hIsTerminalDevice, stderr)
 
 -- | How to tell.
 data ProgressMode
@@ -113,25 +114,24 @@ withProgress mode rows rowRays action = do
   told <- newIORef start
   noColour <- lookupEnv "NO_COLOR"
   let coloured = terminal && maybe True null noColour
-      every seconds tell done = do
+      every seconds draw done = do
         now <- getMonotonicTime
         before <- readIORef told
         when (now - before >= seconds || (mode == JsonProgress && done >= rows)) $ do
           writeIORef told now
-          () <- tell (Progress rows done rowRays (now - start))
-          hFlush stderr
-      draw p = do
+          draw (Progress rows done rowRays (now - start))
+      bar p = do
         window <- if terminal then Terminal.hSize stderr else pure Nothing
-        hPutStr stderr ("\r\ESC[K" ++ progressBarLine coloured (maybe 80 columnsOf window - 1) p)
+        tell ("\r\ESC[K" ++ progressBarLine coloured (maybe 80 columnsOf window - 1) p)
       -- A terminal that does not know its size says 0.
       columnsOf window = if Terminal.width window > 0 then Terminal.width window else 80
-      bar = action (every 0.1 draw) `finally` (hPutStr stderr "\r\ESC[K" >> hFlush stderr)
-      text = action (every 5 (hPutStrLn stderr . progressTextLine))
+      asBar = action (every 0.1 bar) `finally` tell "\r\ESC[K"
+      asText = action (every 5 (tell . (++ "\n") . progressTextLine))
   case mode of
     AutoProgress
-      | terminal -> bar
-      | otherwise -> text
-    BarProgress -> bar
-    LineProgress -> text
-    JsonProgress -> action (every 0.2 (hPutStrLn stderr . progressJsonLine))
+      | terminal -> asBar
+      | otherwise -> asText
+    BarProgress -> asBar
+    LineProgress -> asText
+    JsonProgress -> action (every 0.2 (tell . (++ "\n") . progressJsonLine))
     NoProgress -> action (const (pure ()))

@@ -11,6 +11,7 @@ where
 import BlackHole.Animation.Exposure
 import BlackHole.Animation.Film (filmScene)
 import BlackHole.Cli.Animate
+import BlackHole.Cli.Console
 import BlackHole.Cli.Explain (explanationLines, pixelProblems)
 import BlackHole.Cli.FilmScene (loadFilm)
 import BlackHole.Cli.Join
@@ -32,7 +33,6 @@ import BlackHole.Image.Coding
 import BlackHole.Image.File (fileLabel)
 import BlackHole.Image.Finish
 import BlackHole.Image.Label
-import BlackHole.Image.Moments
 import BlackHole.Image.TileFile
 import BlackHole.Render.Bloom
 import BlackHole.Render.Film
@@ -50,7 +50,7 @@ import BlackHole.Trace.Pixel (tracerUnder)
 import BlackHole.Trace.SkyImage (SkyImage)
 import Control.Applicative ((<|>))
 import Control.Exception (IOException, SomeAsyncException (..), SomeException, catch, displayException, fromException, throwIO, try)
-import Control.Monad (forM_, void, when)
+import Control.Monad (forM_, when)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.IORef
@@ -64,7 +64,7 @@ import qualified Paths_blackhole as Package
 import qualified System.Console.Terminal.Size as Terminal
 import System.Environment (getEnvironment)
 import System.Exit (ExitCode (..))
-import System.IO (Handle, IOMode (ReadMode), hFlush, hIsTerminalDevice, hPutStrLn, hSetBinaryMode, stderr, stdout, withBinaryFile)
+import System.IO (Handle, IOMode (ReadMode), hIsTerminalDevice, stdout, withBinaryFile)
 import System.IO.Error (ioeGetErrorString)
 import System.Info (compilerName, compilerVersion)
 
@@ -116,9 +116,9 @@ run arguments = do
 
 dispatch :: [String] -> IO ExitStatus
 dispatch arguments
-  | Just answer <- completion versionLine arguments = Done <$ (answer >>= putStr)
+  | Just answer <- completion versionLine arguments = answer >>= printed Done
   | otherwise = case parseArguments versionLine arguments of
-    Inform text -> Done <$ putStrLn text
+    Inform text -> printed Done (text ++ "\n")
     Misused line -> complain UsageError (line ++ " (see: blackhole --help)")
     Run (Render options) -> render options
     Run (Join options) -> join options
@@ -126,7 +126,9 @@ dispatch arguments
     Run (Scenes task) -> scenes task
     Run (Photon options) -> photon options
     Run (Rays options) -> rays options
-    Run (SelfTest options) -> selfTestStatus <$> runSelfTest options
+    Run (SelfTest options) -> do
+      (checks, text) <- runSelfTest options
+      printed (selfTestStatus checks) text
 
 -- | A check that does not hold is a fault of the program.
 selfTestStatus :: [Check] -> ExitStatus
@@ -143,7 +145,7 @@ photon options = case resolvePhoton options of
     written <- maybe (pure (Right ())) (`writeFileAtomically` outcomeCsv outcome) (photonPath options)
     case written of
       Left problem -> complain CannotWrite ("--path: " ++ renderWriteProblem problem)
-      Right () -> Done <$ putStr (outcomeText (photonJson options) outcome)
+      Right () -> printed Done (outcomeText (photonJson options) outcome)
 
 -- | The figure of light rays, from options to file.
 rays :: RaysOptions -> IO ExitStatus
@@ -253,7 +255,7 @@ exposing how sky crew scenes'@(scene :| others) (first, rows) output finish
         finish exposed rows seconds `catch` \stop -> finish exposed rows seconds >> throwIO (stop :: Stopped)
       (Just exposed, Left stop)
         | rowsDone > 0 -> do
-          hPutStrLn stderr ("blackhole: " ++ output ++ ": " ++ show rowsDone ++ " of " ++ show rows ++ " rows are done, the others stay black")
+          say (output ++ ": " ++ show rowsDone ++ " of " ++ show rows ++ " rows are done, the others stay black")
           end <- getMonotonicTime
           _ <- finish exposed rowsDone (end - start)
           throwIO (stop :: Stopped)
@@ -284,8 +286,12 @@ outputFormat name = formatOf name
 -- | Why a picture can't be written there, as far as that is known beforehand.
 outputFault :: FilePath -> IO (Maybe String)
 outputFault "-" = do
+  closed <- outputIsClosed
   terminal <- hIsTerminalDevice stdout
-  pure (if terminal then Just "standard output is a terminal; send it to a file or a program" else Nothing)
+  pure $
+    if closed
+      then Just "standard output is closed"
+      else if terminal then Just "standard output is a terminal; send it to a file or a program" else Nothing
 outputFault name = either (Just . renderWriteProblem) (const Nothing) <$> checkWritable name
 
 -- | Run an action with as many workers as were asked for.
@@ -300,12 +306,7 @@ store output bytes = storeBy output (`Lazy.hPut` bytes)
 
 -- | The same by an action that writes to a handle.
 storeBy :: FilePath -> (Handle -> IO ()) -> IO ExitStatus
-storeBy "-" write = do
-  hSetBinaryMode stdout True
-  outcome <- try (write stdout >> hFlush stdout)
-  case outcome of
-    Left failure -> complain CannotWrite ("--output: cannot write to standard output: " ++ ioeGetErrorString (failure :: IOException))
-    Right () -> pure Done
+storeBy "-" write = printWith write >>= either (complain CannotWrite . ("--output: " ++) . outputProblemText) (const (pure Done))
 storeBy output write = writeAtomically output write >>= stored
 
 stored :: Either WriteProblem () -> IO ExitStatus
@@ -345,7 +346,7 @@ join options = case (formatOf output, joinCoding options) of
 -- | A film's frames, or what a folder of them lacks.
 animate :: AnimateOptions SceneOptions -> IO ExitStatus
 animate options = case (animateStatus options, formatOf (animateOutput options)) of
-  (Just folder, _) -> endStatus <$> showStatus say (animatePatience options) folder
+  (Just folder, _) -> showStatus (animatePatience options) folder >>= either (complain BadInput) (\(ending, text) -> printed (endStatus ending) text)
   (_, Nothing) -> complainAll UsageError [unknownExtensionOf (animateOutput options)]
   (_, Just format)
     | problems@(_ : _) <- codingProblems format coding -> complainAll UsageError problems
@@ -357,7 +358,6 @@ animate options = case (animateStatus options, formatOf (animateOutput options))
         Right (Just film) -> underSky (filmScene film) $ \sky ->
           endStatus <$> runFilm options say (skyFileImage <$> sky) (describe sky) (develop format) (adjustFilm options film)
   where
-    say line = void (complain Done line)
     coding = animateCoding options
     describe sky = printScene ((programName ++ ", " ++ show coding) : skyLines sky)
     develop format crew = finishFilm crew programName format coding
@@ -387,13 +387,13 @@ renderedScene options = case renderFrom options of
         Nothing -> pure (Left [path ++ ": this is no picture that blackhole made: it does not say of which scene"])
         Just label -> do
           when (labelSoftware label /= programName) $
-            hPutStrLn stderr ("blackhole: note: " ++ path ++ " was made by " ++ labelSoftware label ++ "; " ++ programName ++ " may make other bytes")
+            say ("note: " ++ path ++ " was made by " ++ labelSoftware label ++ "; " ++ programName ++ " may make other bytes")
           pure (fromLabel path label)
   where
     asked = renderCoding options
     coded coding scene = (scene, coding)
     fromLabel path label = do
-      scenes' <- traverse (resolveLabel (renderScene options) path) (splitMoments (labelScene label))
+      scenes' <- resolveLabel (renderScene options) path (labelScene label)
       -- Another format has other bits.
       let before
             | formatOf path == formatOf (renderOutput options) = labelCoding label
@@ -416,7 +416,7 @@ preview sky scene crew = do
       _ <- warnOfFaults crew 0 film
       bloomed <- bloomFilm crew (sceneBloom scene) film
       codes <- developFilm crew (sceneExposure scene) (sceneToneMap scene) (sceneDither scene) bloomed
-      Done <$ putStr (previewText (palette isTerminal environment) codes)
+      printed Done (previewText (palette isTerminal environment) codes)
 
 untraceable :: IO ExitStatus
 untraceable = complain InternalFault "the scene passed its checks but can't be traced"
@@ -428,7 +428,7 @@ warnOfFaults :: Workers -> Int -> Film -> IO (Int, Maybe (Int, Int))
 warnOfFaults crew first film = faultyPixels crew film >>= warn
   where
     warn (n, Just (x, y)) = do
-      hPutStrLn stderr ("blackhole: warning: " ++ show n ++ " pixels have no finite radiance, the first at " ++ show x ++ "," ++ show (first + y))
+      say ("warning: " ++ show n ++ " pixels have no finite radiance, the first at " ++ show x ++ "," ++ show (first + y))
       pure (n, Just (x, first + y))
     warn _ = pure (0, Nothing)
 
@@ -437,7 +437,7 @@ scenes :: SceneCommand -> IO ExitStatus
 scenes task = do
   outcome <- sceneText task
   case outcome of
-    Right text -> Done <$ putStr text
+    Right text -> printed Done text
     Left problems -> status task <$ mapM_ (complain (status task)) problems
   where
     status (ShowScene _) = UsageError
@@ -446,11 +446,25 @@ scenes task = do
 -- | One pixel explained instead.
 explain :: Scene -> (Int, Int) -> Maybe SkyImage -> IO ExitStatus
 explain scene (x, y) sky = case tracerUnder sky scene >>= \traced -> explainPixel traced x y of
-  Just explanation -> Done <$ mapM_ putStrLn (explanationLines scene explanation)
+  Just explanation -> printed Done (unlines (explanationLines scene explanation))
   Nothing -> untraceable
+
+-- | Print a result, and end so if that succeeds. A reader that has seen enough
+-- needs no message.
+printed :: ExitStatus -> String -> IO ExitStatus
+printed status text = printText text >>= either failed (const (pure status))
+  where
+    failed ReaderGone = pure CannotWrite
+    failed problem = complain CannotWrite (outputProblemText problem)
+
+outputProblemText :: OutputProblem -> String
+outputProblemText problem =
+  "cannot write to standard output: " ++ case problem of
+    ReaderGone -> "its reader has ended"
+    OutputRefused reason -> reason
 
 complainAll :: ExitStatus -> [Problem] -> IO ExitStatus
 complainAll status problems = status <$ mapM_ (complain status . renderProblem) problems
 
 complain :: ExitStatus -> String -> IO ExitStatus
-complain status line = status <$ hPutStrLn stderr ("blackhole: " ++ line)
+complain status line = status <$ say line

@@ -11,17 +11,20 @@ module BlackHole.Cli.SceneOptions
 where
 
 import BlackHole.Cli.Read
+import BlackHole.Image.Moments (splitMoments)
 import BlackHole.Scene.Field.Field
 import BlackHole.Scene.Field.Kind
 import BlackHole.Scene.Field.Table
 import BlackHole.Scene.File.Yaml (maximumYamlBytes)
 import BlackHole.Scene.Preset (presetNames)
 import BlackHole.Scene.Resolve
-import BlackHole.Scene.Scene (Scene)
+import BlackHole.Scene.Scene (Scene (..))
 import BlackHole.Scene.Setting
+import BlackHole.Trace.Sky (neededPicture)
 import Control.Exception (IOException, try)
 import qualified Data.ByteString as Bytes
 import Data.List (intercalate)
+import Data.List.NonEmpty (NonEmpty (..))
 import Data.Maybe (catMaybes)
 import Options.Applicative
 import System.FilePath (takeDirectory)
@@ -73,13 +76,19 @@ resolveScene :: SceneOptions -> Maybe Bytes.ByteString -> Either [String] Scene
 resolveScene (SceneOptions file preset settings) bytes =
   resolveRequest (Request preset ((,) <$> file <*> bytes) (maybe "." takeDirectory file) settings)
 
--- | The same with the scene of a picture in the place of a file's: the picture's
--- name, and the scene. Files that it names are seen from the working directory.
-resolveLabel :: SceneOptions -> FilePath -> Bytes.ByteString -> Either [String] Scene
-resolveLabel (SceneOptions _ preset settings) picture bytes =
-  resolveRequest (Request preset (Just (picture, bytes)) "." settings)
+-- | The scenes whose mean light a picture is, given the picture's name and the
+-- scenes' text in its label ('splitMoments'). Files that they name are relative to
+-- the working directory.
+resolveLabel :: SceneOptions -> FilePath -> Bytes.ByteString -> Either [String] (NonEmpty Scene)
+resolveLabel (SceneOptions _ preset settings) picture bytes = do
+  texts <- either (Left . pure . ((picture ++ ": ") ++)) Right (splitMoments bytes)
+  scenes@(first :| others) <- traverse (\text -> resolveRequest (Request preset (Just (picture, text)) "." settings)) texts
+  let alike scene = scenePicture scene == scenePicture first && neededPicture scene == neededPicture first
+  if all alike others
+    then Right scenes
+    else Left [picture ++ ": the scenes of its motion blur differ in picture size or environment map"]
 
--- | The same, reading the file.
+-- | The scene that the options ask for, like 'resolveScene', reading the file.
 loadScene :: SceneOptions -> IO (Either [String] Scene)
 loadScene options = do
   bytes <- traverse readSceneFile (sceneFile options)

@@ -26,15 +26,12 @@ selfTestOptions =
   SelfTestOptions
     <$> toggle (long "quiet" <> short 'q' <> help "Print the last line only")
 
--- | Compute every check, print the table on standard output, and return the
--- checks. Colours only a terminal, and not if NO_COLOR is set to anything.
-runSelfTest :: SelfTestOptions -> IO [Check]
+-- | Compute every check, with the table to print on standard output, which is in
+-- colour on a terminal unless NO_COLOR is set.
+runSelfTest :: SelfTestOptions -> IO ([Check], String)
 runSelfTest (SelfTestOptions quiet) = do
   terminal <- hIsTerminalDevice stdout
   noColour <- lookupEnv "NO_COLOR"
   checks <- selfTestChecks
-  if quiet
-    then pure ()
-    else mapM_ putStrLn (tableLines (if terminal && maybe True null noColour then Painted else Plain) checks)
-  putStrLn (summaryLine checks)
-  pure checks
+  let table = tableLines (if terminal && maybe True null noColour then Painted else Plain) checks
+  pure (checks, unlines ((if quiet then [] else table) ++ [summaryLine checks]))

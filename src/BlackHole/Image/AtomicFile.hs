@@ -4,7 +4,8 @@
 -- renamed to the target. Whoever looks at the target sees the former file or
 -- the whole new one, also when the program is interrupted or the disk is full.
 -- Only a program that is killed outright while it writes leaves its temporary
--- file behind, named @.blackhole-….part@. (The bytes are not forced out of the
+-- file behind, named @.blackhole-….part@, until the next run that writes to the
+-- folder ('checkWritable'). (The bytes are not forced out of the
 -- system's cache: a picture lost in a power cut can be rendered again, and
 -- waiting for the disk would take a library for each platform.)
 module BlackHole.Image.AtomicFile
@@ -13,13 +14,17 @@ module BlackHole.Image.AtomicFile
     checkWritable,
     WriteProblem (..),
     renderWriteProblem,
+    printable,
   )
 where
 
+import BlackHole.Image.PartFile
 import Control.Exception (catch, mask, mask_, onException, try)
+import Data.Bits ((.|.))
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (isControl)
 import Data.List (isPrefixOf)
+import Foreign.C (Errno (..), eNXIO, throwErrnoIfMinus1Retry_, withCString)
 import GHC.IO.Device (IODeviceType (..))
 import GHC.IO.Exception (IOException (..))
 import System.Directory
@@ -37,11 +42,11 @@ import System.IO
   ( Handle,
     IOMode (AppendMode),
     hClose,
-    openBinaryTempFileWithDefaultPermissions,
     withBinaryFile,
   )
 import System.IO.Error (isDoesNotExistError)
-import System.Posix.Internals (fileType)
+import System.Posix.Files (getFileStatus, isNamedPipe)
+import System.Posix.Internals (c_open, fileType, o_NONBLOCK, o_WRONLY)
 
 -- | Why a file can't be written. The first path is the one that was asked for.
 data WriteProblem
@@ -63,7 +68,7 @@ data WriteProblem
 
 -- | The problem in one line, without a final period.
 renderWriteProblem :: WriteProblem -> String
-renderWriteProblem problem = map plain $ case problem of
+renderWriteProblem problem = printable $ case problem of
   EmptyPath -> "cannot write a file with an empty name"
   TargetIsFolder path -> cannot path "it is a folder"
   TargetIsProtected path -> cannot path "the file is write-protected"
@@ -73,7 +78,11 @@ renderWriteProblem problem = map plain $ case problem of
   SystemRefused path reason -> cannot path reason
   where
     cannot path reason = "cannot write " ++ path ++ ": " ++ reason
-    plain c = if isControl c then '?' else c
+
+-- | A text that may hold names from elsewhere as a single line: control characters,
+-- newlines among them, become question marks.
+printable :: String -> String
+printable = map (\c -> if isControl c then '?' else c)
 
 -- | Write a file as a whole or not at all.
 --
@@ -111,13 +120,28 @@ writeAtomically path content = locate path >>= either (pure . Left) write
 
 -- | Find out whether 'writeFileAtomically' can make this file, as far as that
 -- can be known beforehand (a disk may fill up later). Leaves no file behind and
--- does not touch an existing one.
+-- does not touch an existing one, but removes the temporary files that killed
+-- processes of this machine have left in the folder.
 checkWritable :: FilePath -> IO (Either WriteProblem ())
 checkWritable path = locate path >>= either (pure . Left) probe
   where
-    probe (Direct _) = pure (Right ())
-    probe (Replaced target) =
+    probe (Direct device) = do
+      pipe <- refusalOf path (isNamedPipe <$> getFileStatus device)
+      if pipe == Right True then holdPipe device else pure (Right ())
+    probe (Replaced target) = do
+      sweepPartFiles (takeDirectory target)
       mask_ $ openTemporary path target >>= traverse (uncurry discard)
+    -- A pipe cannot be opened for writing, except by waiting, until another program
+    -- reads from it. It stays open until the process ends: to close it would tell the
+    -- reader that nothing follows.
+    holdPipe device = do
+      opened <- try (withCString device (\name -> throwErrnoIfMinus1Retry_ "open" (c_open name (o_WRONLY .|. o_NONBLOCK) 0)))
+      pure $ case opened of
+        Left refusal
+          | ioe_errno refusal == Just enxio -> Left (SystemRefused path "no program reads from this pipe")
+          | otherwise -> Left (SystemRefused path (reasonOf refusal))
+        Right () -> Right ()
+    Errno enxio = eNXIO
 
 data Destination
   = Replaced FilePath
@@ -163,11 +187,9 @@ followLinks path = go (40 :: Int) path
       link <- pathIsSymbolicLink at
       if link then Just <$> getSymbolicLinkTarget at else pure Nothing
 
--- The name is short and not made from the target's, which may be as long as
--- the file system allows.
 openTemporary :: FilePath -> FilePath -> IO (Either WriteProblem (FilePath, Handle))
 openTemporary path target = do
-  opened <- try (openBinaryTempFileWithDefaultPermissions folder ".blackhole-.part")
+  opened <- try (openPartFile folder ".part")
   pure $ case opened of
     Left refusal -> Left (FolderNotWritable path folder (reasonOf refusal))
     Right temporary -> Right temporary

@@ -1,52 +1,76 @@
--- | The scenes whose mean light one picture is, in one text.
+-- | Several scenes in one text: those whose mean light a picture with motion
+-- blur is.
 --
--- The text is that of the first scene, and for a single one no more than that.
--- Comments after it tell in which lines the others differ.
+-- The text is that of the first scene, and for a single scene no more than that.
+-- Comments after it list the lines in which each of the others differs.
 module BlackHole.Image.Moments
-  ( joinMoments,
+  ( maximumMoments,
+    joinMoments,
     splitMoments,
   )
 where
 
+import Control.Applicative ((<|>))
+import Control.Monad (guard)
 import Data.ByteString (ByteString)
+import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Characters
 import Data.List.NonEmpty (NonEmpty (..))
 import qualified Data.Map.Strict as Map
 import Data.Maybe (mapMaybe)
 
--- | One text of several, each of which ends in a line's end.
+-- | The most scenes that one picture is the mean of.
+maximumMoments :: Int
+maximumMoments = 1024
+
+-- | One text of several, each of which ends with a newline.
 joinMoments :: NonEmpty ByteString -> ByteString
 joinMoments (first :| []) = first
 joinMoments (first :| others) =
-  first <> Characters.unlines (Characters.pack (mark ++ show (1 + length others)) : explanation ++ concatMap differing others)
+  first <> Characters.unlines (countMark <> decimal (1 + length others) : explanation ++ concatMap differing others)
   where
-    explanation = map Characters.pack ["# The picture is the mean light of so many scenes. The others differ from the", "# one above in these lines, by their numbers:"]
+    explanation = map Characters.pack ["# This picture is the mean of that many scenes. The others differ from the one", "# above in these lines, given by number:"]
     differing text =
       let own = Characters.lines text
-       in Characters.pack (momentMark ++ show (length own)) :
-            [ Characters.pack ("# " ++ show n ++ ":") <> line
+       in momentMark <> decimal (length own) :
+            [ Characters.concat [lineMark, decimal n, Characters.pack ":", line]
               | (n, line, before) <- zip3 [1 :: Int ..] own (map Just (Characters.lines first) ++ repeat Nothing),
                 before /= Just line
             ]
+    decimal = Characters.pack . show
 
-mark, momentMark :: String
-mark = "# moments "
-momentMark = "# moment with lines "
+countMark, momentMark, lineMark :: ByteString
+countMark = Characters.pack "# moments "
+momentMark = Characters.pack "# moment with lines "
+lineMark = Characters.pack "# "
 
--- | The texts again.
-splitMoments :: ByteString -> NonEmpty ByteString
-splitMoments text = case break (Characters.isPrefixOf (Characters.pack mark)) (Characters.lines text) of
-  (_, []) -> text :| []
-  (first, _ : rest) -> Characters.unlines first :| map (changed first) (moments rest)
+-- | The inverse of 'joinMoments'. On the left, why the text cannot be split: it may
+-- come from a file that anyone made. Takes time and memory in proportion to the
+-- text and to the scenes, which together have at most 16 MiB.
+splitMoments :: ByteString -> Either String (NonEmpty ByteString)
+splitMoments text = case break (countMark `Bytes.isPrefixOf`) (Characters.lines text) of
+  (_, []) -> Right (text :| [])
+  (first, header : rest)
+    | count < 2 || count > maximumMoments -> Left ("motion blur is the mean of 2 to " ++ show maximumMoments ++ " scenes, not of " ++ show count)
+    | count * Bytes.length original + Bytes.length text > 16777216 -> Left "the scenes of its motion blur are too long"
+    | otherwise -> case traverse (changed first) (momentsIn rest) of
+      Just others | length others + 1 == count -> Right (original :| others)
+      _ -> Left "the list of the scenes of its motion blur is damaged"
+    where
+      count = maybe 0 fst (Characters.readInt (Bytes.drop (Bytes.length countMark) header))
+      original = Characters.unlines first
   where
-    moments rest = case dropWhile (null . count) rest of
-      [] -> []
+    -- The number of lines of each scene but the first, and those that differ.
+    momentsIn lines' = case dropWhile (null . lineCount) lines' of
       line : more ->
-        let (own, others) = span (null . count) more
-         in (sum (count line), Map.fromList (mapMaybe replacement own)) : moments others
-    count line = maybe [] (maybe [] (pure . fst) . Characters.readInt) (Characters.stripPrefix (Characters.pack momentMark) line)
+        let (own, others) = break (not . null . lineCount) more
+         in (sum (lineCount line), Map.fromList (mapMaybe replacement own)) : momentsIn others
+      [] -> []
+    lineCount line = fst <$> (Bytes.stripPrefix momentMark line >>= Characters.readInt)
     replacement line = do
-      (n, rest) <- Characters.readInt =<< Characters.stripPrefix (Characters.pack "# ") line
-      (,) n <$> Characters.stripPrefix (Characters.pack ":") rest
-    changed first (count', replaced) =
-      Characters.unlines [Map.findWithDefault line n replaced | (n, line) <- zip [1 .. min 1000000 count'] (first ++ repeat Characters.empty)]
+      (n, rest) <- Characters.readInt =<< Bytes.stripPrefix lineMark line
+      (,) n <$> Bytes.stripPrefix (Characters.pack ":") rest
+    -- Every line comes from the first scene or is listed.
+    changed first (count, replaced) = do
+      guard (count <= length first + Map.size replaced)
+      Characters.unlines <$> sequence [Map.lookup n replaced <|> line | (n, line) <- zip [1 .. count] (map Just first ++ repeat Nothing)]

@@ -7,20 +7,28 @@ import BlackHole.Cli.Join (openTiles)
 import BlackHole.Cli.Options
 import BlackHole.Cli.Run (run)
 import BlackHole.Cli.SceneOptions
-import BlackHole.Image.File (fileLabel)
+import BlackHole.Image.Coding
+import BlackHole.Image.File
 import BlackHole.Image.Label (Label (..))
 import BlackHole.Image.Panorama (readPanorama)
+import BlackHole.Light.Display
+import BlackHole.Light.Dither
 import BlackHole.Light.Radiance (isFiniteRadiance)
+import BlackHole.Render.Layer
+import BlackHole.Render.PixelArray
+import BlackHole.Render.PixelShape
+import BlackHole.Render.Workers
 import BlackHole.Scene.File.SceneFile (printScene)
 import BlackHole.Scene.Preset (defaultScene)
 import BlackHole.Trace.SkyImage (skyImageMean)
 import qualified Codec.Picture as Juicy
 import Control.Exception (evaluate)
-import Control.Monad (forM_)
+import Control.Monad (forM_, join)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Characters
 import qualified Data.ByteString.Lazy as Lazy
 import Data.List (intercalate)
+import qualified Data.Vector.Storable as Vector
 import System.Exit (ExitCode (..))
 import System.FilePath ((</>))
 import System.IO.Temp (withSystemTempDirectory)
@@ -70,8 +78,22 @@ spec = do
             withLittleWork $
               if name == "a.tile"
                 then either length (const 0) <$> openTiles [folder </> "damaged.tile"]
-                else evaluate (maybe 0 (length . fileAnswer . labelScene) (fileLabel damaged))
+                else evaluate (maybe 0 (length . labelAnswer) (fileLabel damaged))
           outcome `shouldSatisfy` maybe False (>= 0)
+  it "takes at most 1024 scenes from the label of a picture with motion blur, in every format" $
+    forM_ [minBound .. maxBound] $ \format -> do
+      let film = pixelShape 2 2 3 >>= (`fromPixelVector` Vector.replicate 12 0.5)
+          written text = join <$> traverse (encodeFile oneWorker format (Label "b" defaultCoding text) development noLayers) film
+          development = Development (Exposure 0) ToneFilm NoDither
+          lineCount = length (Characters.lines sceneBytes)
+          forged n count = sceneBytes <> lined (("# moments " ++ show (n + 1)) : replicate n ("# moment with lines " ++ show count))
+          scenesIn text = do
+            file <- written text
+            pure (either (const 0) length . resolveLabel (SceneOptions Nothing Nothing []) "a.png" . labelScene <$> (fileLabel . Lazy.toStrict =<< file))
+      scenesIn (forged 1 lineCount) `shouldReturn` Just 2
+      scenesIn (forged 1023 lineCount) `shouldReturn` Just 1024
+      scenesIn (forged 1024 lineCount) `shouldReturn` Just 0
+      scenesIn (forged 1023 1000000) `shouldReturn` Just 0
   forM_ panoramas $ \(name, whole) ->
     it ("answers damaged panoramas with little work and memory: " ++ name) $
       withSystemTempDirectory "blackhole-spec" $ \folder ->
@@ -102,6 +124,7 @@ spec = do
     argumentsAnswer arguments = case parseArguments "v" arguments of
       Run (Render options) -> either unlines show (resolveScene (renderScene options) Nothing)
       other -> show other
+    labelAnswer label = either unlines show (resolveLabel (SceneOptions Nothing Nothing []) "a.png" (labelScene label))
     fileAnswer bytes = either unlines show (resolveScene (SceneOptions (Just "a.yaml") Nothing []) (Just bytes))
     lined = Characters.pack . unlines
     sceneBytes = Characters.pack (printScene [] defaultScene)

@@ -1,0 +1,62 @@
+-- | Standard output and standard error: what the program prints, and what happens
+-- if that fails.
+--
+-- Whatever is printed on standard output is a result, so that its loss is an error.
+-- Messages and progress on standard error are not: they are dropped if nobody can
+-- read them, and never keep the work from being done.
+module BlackHole.Cli.Console
+  ( printText,
+    printWith,
+    OutputProblem (..),
+    outputIsClosed,
+    say,
+    tell,
+  )
+where
+
+import BlackHole.Image.AtomicFile (printable)
+import Control.Exception (IOException, catch, try)
+import Data.Bits ((.&.))
+import GHC.IO.Exception (IOErrorType (ResourceVanished), IOException (..))
+import System.IO (Handle, hFlush, hPutStr, hSetBinaryMode, stderr, stdout)
+import System.Posix.Internals (c_fcntl_read, const_f_getfl, o_RDONLY)
+
+-- | Why standard output did not take everything.
+data OutputProblem
+  = -- | Its reader has ended, as @head@ does when it has seen enough.
+    ReaderGone
+  | -- | Anything else, with the reason that the system gives.
+    OutputRefused !String
+  deriving (Eq, Show)
+
+-- | Print a text on standard output, to the last byte.
+printText :: String -> IO (Either OutputProblem ())
+printText text = printing (`hPutStr` text)
+
+-- | Print bytes on standard output by an action that writes to its handle.
+printWith :: (Handle -> IO ()) -> IO (Either OutputProblem ())
+printWith write = printing (\handle -> hSetBinaryMode handle True >> write handle)
+
+printing :: (Handle -> IO ()) -> IO (Either OutputProblem ())
+printing write = either (Left . problem) Right <$> try (write stdout >> hFlush stdout)
+  where
+    problem failure
+      | ioe_type failure == ResourceVanished = ReaderGone
+      | otherwise = OutputRefused (ioe_description failure)
+
+-- | Whether standard output is closed, or open for reading only.
+outputIsClosed :: IO Bool
+outputIsClosed = do
+  mode <- c_fcntl_read 1 const_f_getfl
+  pure (mode < 0 || mode .&. 3 == o_RDONLY)
+
+-- | A message of one line on standard error, after the program's name.
+say :: String -> IO ()
+say line = tell ("blackhole: " ++ printable line ++ "\n")
+
+-- | Put a text on standard error as it is.
+tell :: String -> IO ()
+tell text = (hPutStr stderr text >> hFlush stderr) `catch` dropped
+  where
+    dropped :: IOException -> IO ()
+    dropped _ = pure ()

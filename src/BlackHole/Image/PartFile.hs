@@ -1,0 +1,78 @@
+-- | Files that are being written, under names that say by which process: if it is
+-- killed, a later run removes them.
+module BlackHole.Image.PartFile
+  ( openPartFile,
+    sweepPartFiles,
+    machine,
+  )
+where
+
+import Control.Exception (IOException, try)
+import Control.Monad (unless)
+import qualified Crypto.Hash.SHA256 as SHA256
+import qualified Data.ByteString as Bytes
+import qualified Data.ByteString.Char8 as Characters
+import Data.Char (isAlphaNum, isAscii, isDigit)
+import Data.Foldable (for_)
+import Data.List (stripPrefix)
+import Numeric (showHex)
+import System.Directory (listDirectory, removeFile)
+import System.FilePath ((</>))
+import System.IO (Handle, openBinaryTempFileWithDefaultPermissions)
+import System.IO.Error (isDoesNotExistError)
+import System.Posix.Files (readSymbolicLink)
+import System.Posix.Process (getProcessID)
+import System.Posix.Signals (nullSignal, signalProcess)
+import System.Posix.Unistd (getSystemID, nodeName)
+import Text.Read (readMaybe)
+
+-- | @openPartFile folder extension@: a new file in a folder, for writing. Its name is
+-- short and not made from that of the finished file, which may be as long as the file
+-- system allows. Throws what the system says.
+openPartFile :: FilePath -> String -> IO (FilePath, Handle)
+openPartFile folder extension = do
+  prefix <- partPrefix
+  process <- getProcessID
+  openBinaryTempFileWithDefaultPermissions folder (prefix ++ show process ++ "-" ++ extension)
+
+-- | Remove the files that processes of this machine that are gone have left in a
+-- folder. What cannot be listed or removed stays.
+sweepPartFiles :: FilePath -> IO ()
+sweepPartFiles folder = quietly () $ do
+  prefix <- partPrefix
+  names <- listDirectory folder
+  for_ names $ \name -> case span isDigit <$> stripPrefix prefix name of
+    Just (digits, '-' : _) | Just process <- readMaybe digits -> do
+      alive <- isAlive process
+      unless alive $ quietly () (removeFile (folder </> name))
+    _ -> pure ()
+  where
+    isAlive process = do
+      answer <- try (signalProcess nullSignal (fromInteger process))
+      pure (either (not . isDoesNotExistError) (const True) answer)
+
+-- Process numbers are comparable on one machine, since its last start, and in one
+-- container only.
+partPrefix :: IO String
+partPrefix = do
+  (host, boot) <- machine
+  pure (".blackhole-" ++ filter plain host ++ "-" ++ fingerprint boot ++ "-")
+  where
+    plain c = isAscii c && (isAlphaNum c || c `elem` ".-")
+    fingerprint = concatMap twoDigits . Bytes.unpack . Bytes.take 4 . SHA256.hash . Characters.pack
+    twoDigits b = (if b < 16 then "0" else "") ++ showHex b ""
+
+-- | The machine's name, and what else makes process numbers comparable: its last
+-- start and, in a container, the numbering of its own.
+machine :: IO (String, String)
+machine = do
+  host <- nodeName <$> getSystemID
+  boot <- quietly "" (concat . lines . Characters.unpack <$> Bytes.readFile "/proc/sys/kernel/random/boot_id")
+  space <- quietly "" (readSymbolicLink "/proc/self/ns/pid")
+  pure (host, boot ++ space)
+
+quietly :: a -> IO a -> IO a
+quietly otherwise' action = either (ignoring otherwise') id <$> try action
+  where
+    ignoring :: a -> IOException -> a
+    ignoring = const
