@@ -136,7 +136,8 @@ defaultScene =
       sceneIntegrator = Tabulated,
       sceneStep = 0.1,
       sceneDisk = Just defaultDisk,
-      sceneSky = SkyStars realSky,
+      -- A Milky Way that can be seen beside the glowing gas.
+      sceneSky = SkyStars realSky {realSkyMilkyWay = 3},
       sceneShifts = Shifts True True,
       sceneDebugTextures = False,
       sceneSamples = 4,
