@@ -21,7 +21,8 @@ program_packages='ghc libghc-async-dev libghc-conduit-dev
   libghc-cryptohash-sha256-dev libghc-juicypixels-dev libghc-libyaml-dev
   libghc-optparse-applicative-dev libghc-primitive-dev libghc-terminal-size-dev
   libghc-vector-dev'
-test_packages='hspec-discover libghc-hspec-dev libghc-quickcheck2-dev libghc-temporary-dev
+test_packages='hspec-discover libghc-hspec-core-dev libghc-hspec-dev
+  libghc-quickcheck2-dev libghc-temporary-dev
   libghc-zlib-dev'
 bench_packages='libghc-criterion-dev'
 
@@ -223,10 +224,10 @@ debian_build() {
   jobs=$(getconf _NPROCESSORS_ONLN)
   forget_old_objects "$root/$objects"
   products=$root/$objects/build
-  # hspec-discover lists the specs when test/Main.hs is compiled, which GHC has to
+  # hspec-discover lists the specs when test/Spec.hs is compiled, which GHC has to
   # be made to do again after one came or went.
-  [ -z "$(find "$root/test" -type d -newer "$products/spec/spec-tmp/Main.o" 2>/dev/null)" ] ||
-    rm -f "$products/spec/spec-tmp/Main.o"
+  [ -z "$(find "$root/test" -type d -newer "$products/spec/spec-tmp/Spec.o" 2>/dev/null)" ] ||
+    rm -f "$products/spec/spec-tmp/Spec.o"
   # shellcheck disable=SC2086
   setup configure --builddir="$objects" --global --ipid=blackhole \
     --with-compiler="$ghc" --with-hc-pkg="$ghc-pkg" \
