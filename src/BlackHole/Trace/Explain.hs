@@ -52,7 +52,7 @@ data Sighting = Sighting
     sightingPoint :: !XY,
     -- | Its direction in the observer's frame, of unit length.
     sightingDirection :: !XYZ,
-    -- | 'Nothing' if no light arrives from outside ('sightLine').
+    -- | 'Nothing' if no light arrives from outside ('BlackHole.Physics.Observer.sightLine').
     sightingArrival :: !(Maybe Arrival),
     -- | The radiance seen along it, 'sightRadiance'.
     sightingRadiance :: !Radiance

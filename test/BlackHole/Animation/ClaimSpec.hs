@@ -59,6 +59,12 @@ spec = do
     takeClaim (folder (elsewhere 2) 60) "a" `shouldReturn` HeldBy (Just (elsewhere 1))
     age 20 (claimFile (folder (elsewhere 1) 60) "a")
     takeClaim (folder (elsewhere 2) 60) "a" `shouldReturn` Claimed (Just (elsewhere 1))
+  it "is taken from another machine when it is dated in the future" . inFolder $ \folder -> do
+    takeClaim (folder (elsewhere 1) 60) "a" `shouldReturn` Claimed Nothing
+    age (-30) (claimFile (folder (elsewhere 1) 60) "a")
+    takeClaim (folder (elsewhere 2) 60) "a" `shouldReturn` HeldBy (Just (elsewhere 1))
+    age (-2000000000) (claimFile (folder (elsewhere 1) 60) "a")
+    takeClaim (folder (elsewhere 2) 60) "a" `shouldReturn` Claimed (Just (elsewhere 1))
   it "is kept by touching it" . inFolder $ \folder -> do
     let mine = folder (elsewhere 1) 0.5
     takeClaim mine "a" `shouldReturn` Claimed Nothing
