@@ -37,15 +37,15 @@ data Preset = Preset
 -- | All of them, the default first.
 describedPresets :: [Preset]
 describedPresets =
-  [ Preset "default" "a wide disk of glowing gas, seen from a little above its plane by somebody at rest" defaultScene,
-    Preset "report" "the picture of the design report's author, with its camera, gas, stars and leapfrog" reportScene,
-    Preset "interstellar" "the look of the film of 2014: a thin bright disk without Doppler shift or redshift" interstellarScene,
-    Preset "edge-on" "the disk from within a degree of its plane" (seenFrom 89 defaultScene),
-    Preset "face-on" "the disk from above its pole" (seenFrom 4 defaultScene),
-    Preset "luminet" "Luminet's picture of 1979: a thin opaque disk in the light of all wavelengths, without colour" luminetScene,
-    Preset "lens-only" "no gas, only the bent sky" defaultScene {sceneDisk = Nothing, sceneExposure = Exposure 1.5},
-    Preset "photon-ring" "a close look at the rings of light that has gone round the hole" photonRingScene,
-    Preset "falling" "the view of somebody who falls in and has come to r = 2.6" fallingScene
+  [ Preset "default" "a wide disk of glowing gas, seen by an observer at rest a little above its plane" defaultScene,
+    Preset "report" "the picture of the design report, with its camera, gas, stars and leapfrog integration" reportScene,
+    Preset "interstellar" "the look of the film Interstellar (2014): a thin bright disk without Doppler shift or redshift" interstellarScene,
+    Preset "edge-on" "the disk seen from within a degree of its plane" (seenFrom 89 defaultScene),
+    Preset "face-on" "the disk seen from almost above its pole" (seenFrom 4 defaultScene),
+    Preset "luminet" "Luminet's picture of 1979: a thin opaque disk, its intensity over all wavelengths, without colour" luminetScene,
+    Preset "lens-only" "no disk, only the sky distorted by the hole" defaultScene {sceneDisk = Nothing, sceneExposure = Exposure 1.5},
+    Preset "photon-ring" "a close-up of the rings formed by light that has gone around the hole" photonRingScene,
+    Preset "falling" "the view of an observer falling into the hole, at r = 2.6" fallingScene
   ]
 
 -- | The names, the default first.
