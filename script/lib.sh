@@ -97,7 +97,7 @@ use_utf8() {
 }
 
 # state FILE FOLDER…: a line for the machine, one for the compiler, and one for
-# every source file in the folders. Contents are compared, not times: that costs
+# every source file and embedded file in the folders. Contents are compared, not times: that costs
 # the same few milliseconds, while times mislead after a checkout or a copy and
 # say nothing of a deleted file.
 #
@@ -117,12 +117,12 @@ state() (
   fi
   cd "$root" || exit
   find "$@" blackhole.cabal cabal.project stack.yaml -type f \
-    \( -name '*.hs' -o -name blackhole.cabal -o -name cabal.project -o -name stack.yaml \) \
+    \( -name '*.hs' -o -name '*.bin' -o -name blackhole.cabal -o -name cabal.project -o -name stack.yaml \) \
     -exec cksum {} + 2>/dev/null | LC_ALL=C sort
 )
 
 program_state() {
-  state "$build/bin/state" app src backend
+  state "$build/bin/state" app src backend data
 }
 
 up_to_date() {
@@ -256,7 +256,7 @@ install_tool() {
 # machine or the compiler changed (their lines name no file).
 forget_old_objects() {
   [ -f "$1.state" ] || : >"$1.state"
-  state "$1.state" app src backend test bench >"$1.new"
+  state "$1.state" app src backend data test bench >"$1.new"
   old=$(
     cd "$root" || exit
     LC_ALL=C grep -vxF -f "$1.state" "$1.new" | sed 's/^[0-9]* [0-9]* //' |

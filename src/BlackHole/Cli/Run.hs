@@ -47,7 +47,8 @@ import BlackHole.Scene.File.SceneFile (printScene)
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Validate
 import BlackHole.SelfTest.Check (Check, checkHolds)
-import BlackHole.Trace.Explain (explainPixelUnder)
+import BlackHole.Trace.Explain (explainPixel)
+import BlackHole.Trace.Pixel (tracerUnder)
 import BlackHole.Trace.Sky (neededPicture)
 import BlackHole.Trace.SkyImage (SkyImage)
 import Control.Applicative ((<|>))
@@ -482,7 +483,7 @@ scenes task = do
 
 -- | One pixel explained instead.
 explain :: Scene -> (Int, Int) -> Maybe SkyImage -> IO ExitStatus
-explain scene (x, y) sky = case explainPixelUnder sky scene x y of
+explain scene (x, y) sky = case tracerUnder sky scene >>= \traced -> explainPixel traced x y of
   Just explanation -> printed Done (unlines (explanationLines scene explanation))
   Nothing -> untraceable
 
