@@ -22,6 +22,7 @@ import Control.Exception (IOException, catch, mask_, try)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Char8
 import Data.Char (toLower)
+import Data.Either (fromRight)
 import Data.Functor (($>))
 import Numeric (showFFloat)
 import System.Directory (findExecutable, removeFile, renameFile)
@@ -75,7 +76,7 @@ ffmpegArguments kind rate output =
 
 -- | ffmpeg, if it is installed. Without a variable PATH there is nowhere to look.
 findCoder :: IO (Maybe FilePath)
-findCoder = either (const Nothing) id <$> reasonOf (findExecutable "ffmpeg")
+findCoder = fromRight Nothing <$> reasonOf (findExecutable "ffmpeg")
 
 -- | A film file in the making.
 data Video = Video
