@@ -43,7 +43,7 @@ describedPresets =
     Preset "edge-on" "the disk from within a degree of its plane" (seenFrom 89 defaultScene),
     Preset "face-on" "the disk from above its pole" (seenFrom 4 defaultScene),
     Preset "luminet" "Luminet's picture of 1979: a thin opaque disk in the light of all wavelengths, without colour" luminetScene,
-    Preset "lens-only" "no gas, only the bent sky" defaultScene {sceneDisk = Nothing, sceneExposure = Exposure 1.5},
+    Preset "lens-only" "no gas, only the bent sky" defaultScene {sceneDisk = Nothing, sceneSky = SkyStars realSky {realSkyRotation = Degrees (-6), realSkyMilkyWay = 3}, sceneExposure = Exposure 1.5},
     Preset "photon-ring" "a close look at the rings of light that has gone round the hole" photonRingScene,
     Preset "falling" "the view of somebody who falls in and has come to r = 2.6" fallingScene
   ]
@@ -137,7 +137,7 @@ defaultScene =
       sceneStep = 0.1,
       sceneDisk = Just defaultDisk,
       -- A Milky Way that can be seen beside the glowing gas.
-      sceneSky = SkyStars realSky {realSkyMilkyWay = 3},
+      sceneSky = SkyStars realSky {realSkyMilkyWay = 2},
       sceneShifts = Shifts True True,
       sceneDebugTextures = False,
       sceneSamples = 4,

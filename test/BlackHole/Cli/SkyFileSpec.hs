@@ -38,7 +38,7 @@ spec = do
     scene ["kind: satrs"] `shouldSatisfy` either (any ("did you mean stars?" `isInfixOf`)) (const False)
     scene ["kind: \"a\\nb.png\""] `shouldSatisfy` either (const True) (const False)
     fmap neededPicture (scene ["kind: ./stars"]) `shouldBe` Right (Just "./stars")
-    fmap sceneSky (scene ["kind: STARS"]) `shouldBe` Right (SkyStars realSky)
+    fmap sceneSky (scene ["kind: STARS"]) `shouldBe` Right (sceneSky defaultScene)
   it "renders it, again from its own picture, in tiles, and explains it" . inFolder $ \folder -> do
     run (picture folder "whole.png") `shouldReturn` ExitSuccess
     run ["render", "--from", folder </> "whole.png", "-o", folder </> "again.png"] `shouldReturn` ExitSuccess
