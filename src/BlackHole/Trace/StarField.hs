@@ -21,6 +21,8 @@ module BlackHole.Trace.StarField
     shiftedMixture,
     pixelKernel,
     kernelRadius,
+    Window (..),
+    starWindows,
   )
 where
 
@@ -222,6 +224,14 @@ data Look
 -- | A rectangle of a face of the cube: the face's number, and the least and
 -- greatest of its two coordinates, which on the face are −1 … 1.
 data Window = Window !Int !Double !Double !Double !Double
+  deriving (Eq, Show)
+
+-- | The windows in which stars are looked for through a beam: one, or one on each
+-- face that the beam reaches.
+starWindows :: Beam -> [Window]
+starWindows beam = window : others
+  where
+    Look _ _ _ _ window others = lookThrough 1 (kernelRadius * beamExtent beam) beam
 
 lookThrough :: Double -> Double -> Beam -> Look
 lookThrough g extent beam@(Beam d@(XYZ dx dy dz) (XYZ jx jy jz) (XYZ kx ky kz))

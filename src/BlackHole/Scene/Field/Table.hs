@@ -53,13 +53,13 @@ sceneFields =
       `withOption` ("distance", "R"),
     number Camera "camera.inclination" (angle (From 0) (UpTo 180) "degrees from the disk's axis") "Camera's angle from the disk's axis in degrees: 0 above it, 90 in its plane" inclinationPart
       `withOption` ("inclination", "DEGREES"),
-    number Camera "camera.azimuth" (angle Anything Endless "degrees") "Camera's angle around the disk's axis in degrees" azimuthPart
+    number Camera "camera.azimuth" (angle (From (-1e6)) (UpTo 1e6) "degrees") "Camera's angle around the disk's axis in degrees" azimuthPart
       `withOption` ("azimuth", "DEGREES"),
     vector Camera "camera.position" "Camera's place in Schwarzschild radii, instead of the three above; the disk's axis is +y" positionPart
       `withOption` ("camera", "X,Y,Z"),
     vector Camera "camera.look-at" "Point the camera looks at, in Schwarzschild radii, with a position (default: the hole)" lookAtPart
       `withOption` ("look-at", "X,Y,Z"),
-    number Camera "camera.roll" (angle Anything Endless "degrees") "Turn the camera clockwise about its line of sight, in degrees" (camera (part (inDegrees . cameraRoll) (\v c -> c {cameraRoll = Degrees v})))
+    number Camera "camera.roll" (angle (From (-1e6)) (UpTo 1e6) "degrees") "Turn the camera clockwise about its line of sight, in degrees" (camera (part (inDegrees . cameraRoll) (\v c -> c {cameraRoll = Degrees v})))
       `withOption` ("roll", "DEGREES"),
     number Camera "camera.field-of-view" (angle (Above 0) (Below 180) "degrees") "Angle of view across the width, above 0 and below 180 degrees" (camera (part (inDegrees . cameraFieldOfView) (\v c -> c {cameraFieldOfView = Degrees v})))
       `withOption` ("fov", "DEGREES"),
@@ -105,7 +105,7 @@ sceneFields =
     number Disk "disk.turbulence.warp" (Quantity "a number of features" (From 0) (UpTo 100) "") "How far the turbulence is bent out of shape, in features" (disk (part Gas.diskTurbulenceWarp (\v d -> d {Gas.diskTurbulenceWarp = v}))),
     choiceOrFile Sky "sky.kind" "a sky" skies "a panorama" (PanoramaSky, panoramaSkyFile) "What lies behind: stars (the real ones and the Milky Way), random-stars (from the seed), noise (the report's stars), grid, uniform, none, or a panorama (the file of a picture twice as wide as high)" skyKindPart
       `withOption` ("sky", "NAME|FILE"),
-    number Sky "sky.rotation" (angle Anything Endless "degrees") "Turn of the real stars or of a panorama about the disk's axis in degrees; at 0 a panorama's middle is behind the hole for a camera at azimuth 90" rotationPart
+    number Sky "sky.rotation" (angle (From (-1e6)) (UpTo 1e6) "degrees") "Turn of the real stars or of a panorama about the disk's axis in degrees; at 0 a panorama's middle is behind the hole for a camera at azimuth 90" rotationPart
       `withOption` ("sky-rotation", "DEGREES"),
     number Sky "sky.brightness" (Quantity "a gain" (From 0) (UpTo 1e9) "") "Gain of the real stars and the Milky Way; 1 gives a star of magnitude 0 a flux of 80e-6 radiance times steradians" (realStars (part realSkyBrightness (\v s -> s {realSkyBrightness = v}))),
     number Sky "sky.milky-way" (Quantity "a gain" (From 0) (UpTo 1e9) "") "Further gain of the real Milky Way alone; 1 is its true ratio to the stars, 0 leaves it out" (realStars (part realSkyMilkyWay (\v s -> s {realSkyMilkyWay = v}))),
