@@ -25,7 +25,7 @@ import BlackHole.Scene.Scene
 import BlackHole.Scene.Setting
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified Data.ByteString as Bytes
-import Data.List (intercalate, isSuffixOf, nub, stripPrefix)
+import Data.List (intercalate, isPrefixOf, isSuffixOf, nub, stripPrefix)
 import Data.Maybe (mapMaybe)
 
 -- | What a scene file says.
@@ -58,7 +58,11 @@ readSettings :: [String] -> Node -> (SceneFile, [(Int, Problem)])
 readSettings foreign' root = (SceneFile preset settings, problems)
   where
     (found, problems) = level foreign' [] root
-    settings = [PlacedSetting line (Setting path value) | (line, path, value) <- found, path /= presetKey]
+    settings = [PlacedSetting line (Setting path (current path value)) | (line, path, value) <- found, path /= presetKey]
+    -- Before there were real stars, these were the random ones.
+    current path value
+      | path == "sky.kind" && value == NameValue "stars" && any (\(_, other, _) -> "sky.points." `isPrefixOf` other) found = NameValue "random-stars"
+      | otherwise = value
     preset = case [name | (_, path, NameValue name) <- found, path == presetKey] of
       name : _ -> name
       [] -> "default"
