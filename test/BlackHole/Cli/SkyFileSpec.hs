@@ -8,7 +8,6 @@ import BlackHole.Scene.Field.Kind (Value (..))
 import BlackHole.Scene.Preset (defaultScene)
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Setting
-import BlackHole.Scene.Sky
 import BlackHole.Trace.Sky (neededPicture)
 import BlackHole.Trace.SkyImage (skyImageMean)
 import Codec.Picture
