@@ -123,7 +123,7 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
         lookup "README.md" texts `shouldSatisfy` maybe False (elem file . links)
         lookup "docs/README.md" texts `shouldSatisfy` maybe False (elem (takeFileName file) . links)
     it "list every exit code" $ do
-      let listed = [exitCode | line <- maybe [] lines (lookup "README.md" texts), Just rest <- [stripPrefix "| " line], Just exitCode <- [readMaybe (takeWhile (/= ' ') rest)]]
+      let listed = [listedCode | line <- maybe [] lines (lookup "README.md" texts), Just rest <- [stripPrefix "| " line], Just listedCode <- [readMaybe (takeWhile (/= ' ') rest)]]
           code status = case exitCode status of
             ExitSuccess -> 0 :: Int
             ExitFailure n -> n
