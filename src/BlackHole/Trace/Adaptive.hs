@@ -16,7 +16,7 @@ module BlackHole.Trace.Adaptive
   )
 where
 
-import BlackHole.Scene.Camera (Picture (..))
+import BlackHole.Scene.Camera (Picture (..), closesAround)
 import BlackHole.Scene.Scene
 import BlackHole.Trace.Estimate
 import BlackHole.Trace.Pixel
@@ -39,11 +39,18 @@ refinedEstimate traced uncertain first !column !row
   where
     scene = tracedScene traced
     Picture width height = scenePicture scene
-    !left = max 0 (column - 1)
-    !right = min (width - 1) (column + 1)
+    -- Where a picture closes around the sphere its last column is the first one's
+    -- neighbour.
+    !closed = closesAround (sceneProjection scene) (sceneCamera scene)
+    !left = if closed then column - 1 else max 0 (column - 1)
+    !right = if closed then column + 1 else min (width - 1) (column + 1)
     !bottom = min (height - 1) (row + 1)
     anyFrom !r = r <= bottom && (anyIn left r || anyFrom (r + 1))
-    anyIn !c !r = c <= right && (uncertain c r || anyIn (c + 1) r)
+    anyIn !c !r = c <= right && (uncertain (inside c) r || anyIn (c + 1) r)
+    inside c
+      | c < 0 = width - 1
+      | c >= width = 0
+      | otherwise = c
 {-# INLINE refinedEstimate #-}
 
 -- | Whether an estimate needs refinement, from the scene's number of samples, its

@@ -50,8 +50,9 @@ data Explanation = Explanation
 data Sighting = Sighting
   { -- | The point of the picture that it passes through, in pixels.
     sightingPoint :: !XY,
-    -- | Its direction in the observer's frame, of unit length.
-    sightingDirection :: !XYZ,
+    -- | Its direction in the observer's frame, of unit length; 'Nothing' outside a
+    -- fisheye's circle.
+    sightingDirection :: !(Maybe XYZ),
     -- | 'Nothing' if no light arrives from outside ('BlackHole.Physics.Observer.sightLine').
     sightingArrival :: !(Maybe Arrival),
     -- | The radiance seen along it, 'sightRadiance'.

@@ -93,7 +93,7 @@ tracerUnder picture scene = do
   sky <- shader
   pure
     Tracer
-      { tracerPlane = picturePlane (sceneCamera scene) (scenePicture scene) frame,
+      { tracerPlane = picturePlane (sceneProjection scene) (sceneCamera scene) (scenePicture scene) frame,
         tracerScene = scene,
         tracerGain = 2 ** stops,
         tracerEye = eye (sceneSpacetime scene) (sceneObserver scene) place,
@@ -117,7 +117,7 @@ tracerUnder picture scene = do
       Nothing -> Vacuum
       Just disk
         | sceneDebugTextures scene -> Checks disk
-        | otherwise -> Gaseous (gas seed (sceneShifts scene) disk place (pixelAngle (sceneCamera scene) (scenePicture scene)) (sceneSamples scene))
+        | otherwise -> Gaseous (gas seed (sceneShifts scene) disk place (pixelAngle (sceneProjection scene) (sceneCamera scene) (scenePicture scene)) (sceneSamples scene))
 
 -- | The parts of a tracer that take time to compute, for evaluation in advance and in
 -- parallel. Otherwise the first ray that needs a part waits for it.
@@ -288,14 +288,15 @@ patchRadiance (SkyPatch (XY x0 y0) (Beam d a b) slack light) (XY x y) direction
 tracedScene :: Tracer -> Scene
 tracedScene = tracerScene
 
--- | The viewing direction through a point of the picture.
-tracedDirection :: Tracer -> XY -> XYZ
+-- | The viewing direction through a point of the picture; 'Nothing' outside a
+-- fisheye's circle.
+tracedDirection :: Tracer -> XY -> Maybe XYZ
 tracedDirection traced = sightDirection (tracerPlane traced)
 
 -- | The light path that arrives at a point of the picture; 'Nothing' if none does, so
--- that the point is dark ('sightLine').
+-- that the point is dark ('sightLine', 'sightDirection').
 tracedSight :: Tracer -> XY -> Maybe SightLine
-tracedSight traced point = sightFrom (tracerEye traced) (sightDirection (tracerPlane traced) point)
+tracedSight traced point = sightDirection (tracerPlane traced) point >>= sightFrom (tracerEye traced)
 
 -- | The contribution of a segment of the scene's gas, from the observer's frequency.
 tracedGas :: Tracer -> Double -> Gathered -> Stretch -> Onward Gathered
@@ -322,17 +323,18 @@ tracedSky traced point sight fate = case fate of
 -- answer, the paths through points beside it. 'Nothing' if no light arrives from the
 -- sky.
 tracedBeam :: Tracer -> XY -> SightLine -> XYZ -> Maybe Beam
-tracedBeam traced point@(XY x y) sight direction = case sceneSpacetime (tracerScene traced) of
+tracedBeam traced point sight direction = case sceneSpacetime (tracerScene traced) of
   Schwarzschild
-    | Just beside <- tracedSight traced (XY (x + step) y),
-      Just below <- tracedSight traced (XY x (y + step)),
+    | Just beside <- sightAt (XY step 0),
+      Just below <- sightAt (XY 0 step),
       Just (LensChanges alongX alongY) <-
         lensChanges (tracerTable traced) (sightPhoton sight) direction (sightPhoton beside) (sightPhoton below) ->
       Just (Beam direction ((1 / step) *^ alongX) ((1 / step) *^ alongY))
-  _ -> beamByDifferences escape point
+  _ -> beamByDifferences escape (XY 0 0)
   where
     step = 0.01
-    escape beside = tracedSight traced beside >>= escapeDirection traced beside
+    sightAt offset = sightBeside (tracerPlane traced) point offset >>= sightFrom (tracerEye traced)
+    escape offset = sightAt offset >>= escapeDirection traced point
 
 -- | The direction in which a line of sight escapes, disregarding gas, if it does.
 escapeDirection :: Tracer -> XY -> SightLine -> Maybe XYZ
@@ -352,7 +354,7 @@ meetsPhotonRing traced point@(XY x y) = case (sceneSpacetime scene, tracerMatter
   (Schwarzschild, Gaseous _, Just here)
     -- Most pixels are thousands of pixels away from the ring; dismiss them cheaply.
     -- Fast observers see the ring grow or shrink, but by less than this factor.
-    | abs here < 16 * pixelAngle (sceneCamera scene) (scenePicture scene),
+    | abs here < 16 * pixelAngle (sceneProjection scene) (sceneCamera scene) (scenePicture scene),
       Just right <- tracedOffset (XY (x + 1) y),
       Just below <- tracedOffset (XY x (y + 1)) ->
       abs here < 1.5 * (abs (right - here) + abs (below - here))
