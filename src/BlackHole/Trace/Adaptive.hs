@@ -13,6 +13,7 @@ module BlackHole.Trace.Adaptive
     refinedEstimate,
     uncertainEstimate,
     pixelEstimate,
+    pixelSamples,
   )
 where
 
@@ -20,6 +21,7 @@ import BlackHole.Scene.Camera (Picture (..), closesAround)
 import BlackHole.Scene.Scene
 import BlackHole.Trace.Estimate
 import BlackHole.Trace.Pixel
+import BlackHole.Trace.Sampling (Sample)
 import BlackHole.Vector.XY (XY (..))
 
 -- | The estimate of a pixel (column and row from the top left, counted from 0) after
@@ -33,7 +35,7 @@ firstEstimate traced = addSamples traced 0 (sceneSamples (tracedScene traced)) n
 -- values as stored ('asStored').
 refinedEstimate :: Tracer -> (Int -> Int -> Bool) -> Estimate -> Int -> Int -> Estimate
 refinedEstimate traced uncertain first !column !row
-  | meetsPhotonRing traced (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)) = addSamples traced (sceneSamples scene) (mostSamples scene) first column row
+  | Just ring <- pixelRing traced column row = addRingSamples traced ring 0 (mostSamples scene) noSamples column row
   | anyFrom (max 0 (row - 1)) = moreSamples traced first column row
   | otherwise = first
   where
@@ -52,6 +54,19 @@ refinedEstimate traced uncertain first !column !row
       | c >= width = 0
       | otherwise = c
 {-# INLINE refinedEstimate #-}
+
+-- | The photon ring at a pixel.
+pixelRing :: Tracer -> Int -> Int -> Maybe PhotonRing
+pixelRing traced column row = photonRing traced (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5))
+
+-- | The samples of a pixel's 'pixelEstimate', of which there are so many.
+pixelSamples :: Tracer -> Int -> Int -> Int -> [Sample]
+pixelSamples traced count column row = map point [0 .. count - 1]
+  where
+    scene = tracedScene traced
+    point = case pixelRing traced column row of
+      Just ring | mostSamples scene > sceneSamples scene -> ringPoint traced ring column row
+      _ -> samplePoint scene column row
 
 -- | Whether an estimate needs refinement, from the scene's number of samples, its
 -- 'estimateSeen' and its 'estimateSeenSquare'.

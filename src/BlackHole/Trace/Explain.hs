@@ -50,6 +50,8 @@ data Explanation = Explanation
 data Sighting = Sighting
   { -- | The point of the picture that it passes through, in pixels.
     sightingPoint :: !XY,
+    -- | Its weight among a pixel's samples; 1 for the middle.
+    sightingWeight :: !Double,
     -- | Its direction in the observer's frame, of unit length; 'Nothing' outside a
     -- fisheye's circle.
     sightingDirection :: !(Maybe XYZ),
@@ -109,8 +111,8 @@ explainPixel traced column row
         { explainedPixel = (column, row),
           explainedMiddle = sighting scene traced (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)),
           explainedSamples =
-            [ sighting scene traced (samplePlace (samplePoint scene column row index))
-              | index <- [0 .. estimateCount estimate - 1]
+            [ (sighting scene traced place) {sightingWeight = weight}
+              | Sample place weight <- pixelSamples traced (estimateCount estimate) column row
             ],
           explainedRadiance = radiance,
           explainedShown = shownAs scene column row radiance
@@ -125,6 +127,7 @@ sighting :: Scene -> Tracer -> XY -> Sighting
 sighting scene traced point =
   Sighting
     { sightingPoint = point,
+      sightingWeight = 1,
       sightingDirection = tracedDirection traced point,
       sightingArrival = arrival scene traced point <$> tracedSight traced point,
       sightingRadiance = sightRadiance traced point

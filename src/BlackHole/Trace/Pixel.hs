@@ -14,7 +14,10 @@ module BlackHole.Trace.Pixel
     onlySample,
     sightRadiance,
     samplePoint,
-    meetsPhotonRing,
+    PhotonRing,
+    photonRing,
+    addRingSamples,
+    ringPoint,
 
     -- * Its parts
     tracedScene,
@@ -346,22 +349,58 @@ escapeDirection traced point sight = case fate of
       | sceneIntegrator (tracerScene traced) == Tabulated = sweptFate (sceneSpacetime (tracerScene traced)) (tracerTable traced) (sightPhoton sight)
       | otherwise = followedFate (followSight traced {tracerRegion = emptyRegion} point sight (\() _ -> Onward ()) ())
 
--- | Whether the edge of the shadow passes through or beside the pixel around a point of
+-- | The edge of the shadow where it passes through or beside a pixel: the unit vector
+-- across it and out of the shadow, and by how much 'criticalOffset' shrinks per pixel
+-- along that vector.
+data PhotonRing
+  = PhotonRing
+      {-# UNPACK #-} !XY
+      {-# UNPACK #-} !Double
+
+-- | The edge of the shadow if it passes through or beside the pixel around a point of
 -- the picture. All higher-order images of the gas crowd together at that edge in rings
 -- thinner than a pixel.
-meetsPhotonRing :: Tracer -> XY -> Bool
-meetsPhotonRing traced point@(XY x y) = case (sceneSpacetime scene, tracerMatter traced, tracedOffset point) of
+photonRing :: Tracer -> XY -> Maybe PhotonRing
+photonRing traced point@(XY x y) = case (sceneSpacetime scene, tracerMatter traced, tracedOffset traced point) of
   (Schwarzschild, Gaseous _, Just here)
     -- Most pixels are thousands of pixels away from the ring; dismiss them cheaply.
     -- Fast observers see the ring grow or shrink, but by less than this factor.
     | abs here < 16 * pixelAngle (sceneProjection scene) (sceneCamera scene) (scenePicture scene),
-      Just right <- tracedOffset (XY (x + 1) y),
-      Just below <- tracedOffset (XY x (y + 1)) ->
-      abs here < 1.5 * (abs (right - here) + abs (below - here))
-  _ -> False
+      Just right <- tracedOffset traced (XY (x + 1) y),
+      Just below <- tracedOffset traced (XY x (y + 1)),
+      let across = right - here
+          down = below - here
+          growth = sqrt (across * across + down * down),
+      abs here < 1.5 * (abs across + abs down) ->
+      Just (PhotonRing (XY (negate across / growth) (negate down / growth)) growth)
+  _ -> Nothing
   where
     scene = tracerScene traced
-    tracedOffset = fmap (criticalOffset (tracerTable traced) . sightPhoton) . tracedSight traced
+
+-- | 'criticalOffset' of the light path that arrives at a point of the picture.
+tracedOffset :: Tracer -> XY -> Maybe Double
+tracedOffset traced = fmap (criticalOffset (tracerTable traced) . sightPhoton) . tracedSight traced
+
+-- | @addRingSamples traced ring from to estimate column row@ is 'addSamples' with the
+-- points of 'ringPoint'.
+addRingSamples :: Tracer -> PhotonRing -> Int -> Int -> Estimate -> Int -> Int -> Estimate
+addRingSamples prepared ring from to estimate column row = go from estimate
+  where
+    traced = lazy prepared
+    go !index !sums
+      | index < to =
+        let Sample place weight = ringPoint traced ring column row index
+            light = if weight == 0 then black else sightRadiance traced place
+         in go (index + 1) (addSample (tracerGain traced) weight light sums)
+      | otherwise = sums
+
+-- | One of the samples of a pixel on the photon ring, by column, row and sample number:
+-- more of them where the images of the gas are thinner.
+ringPoint :: Tracer -> PhotonRing -> Int -> Int -> Int -> Sample
+ringPoint traced (PhotonRing normal growth) =
+  curveSample (sceneFilter scene) (sceneSeed scene) normal (fmap (negate . (/ growth)) . tracedOffset traced)
+  where
+    scene = tracerScene traced
 
 -- | One of a pixel's samples, by column, row and sample number.
 samplePoint :: Scene -> Int -> Int -> Int -> Sample
