@@ -133,9 +133,10 @@ followSwept space table region phase photon gather = start
               then cells n lead upper to next state
               else
                 let -- Where the path enters and leaves the gas's outer radius, if
-                    -- within the cell.
-                    !begin = if u0 < uOuter && slope0 > 0 then min t1 (reaching path t0) else t0
-                    !leaving = if u1 < uOuter && slope1 < 0 then max begin (reaching path t1) else t1
+                    -- within the cell. Newton's steps may end anywhere if the path only just fails to
+                    -- reach it.
+                    !begin = if u0 < uOuter && slope0 > 0 then max t0 (min t1 (reaching path t0)) else t0
+                    !leaving = if u1 < uOuter && slope1 < 0 then max begin (min t1 (reaching path t1)) else t1
                     !final = ofOneScale path begin leaving
                     !cosine = cos middle
                     !sine = sin middle

@@ -131,6 +131,7 @@ defaultScene =
             cameraRoll = Degrees (-12),
             cameraFieldOfView = Degrees 50
           },
+      sceneProjection = Perspective,
       sceneObserver = Static,
       sceneSpacetime = Schwarzschild,
       sceneIntegrator = Tabulated,
