@@ -165,7 +165,7 @@ blurred sigma w h = alongColumns . alongRows
           | k > min (size - 1) (place + reach) = total / norm
           | otherwise = let weight = weights U.! (k - place + reach) in go (k + 1) (total + weight * value k) (norm + weight)
 
--- | The share of pixels in bands: horizontal runs of 24 equal codes or more of green,
+-- | The share of pixels in bands: horizontal runs of 96 equal codes or more of green,
 -- neither black nor white, between the code below and the code above. A dithered
 -- gradient has hardly any.
 banded :: Image PixelRGB8 -> Double
@@ -176,7 +176,7 @@ banded picture = fromIntegral (sum (map inRow [0 .. imageHeight picture - 1])) /
       [] -> []
       c : rest -> let (equal, others) = span (== c) rest in (c, 1 + length equal) : runs others
     bands (before : run@(code, count) : rest@(after : _))
-      | count >= 24 && code > 0 && code < 255 && step before code && step after code && fst before /= fst after = count + bands (run : rest)
+      | count >= 96 && code > 0 && code < 255 && step before code && step after code && fst before /= fst after = count + bands (run : rest)
       | otherwise = bands (run : rest)
     bands _ = 0 :: Int
     step (other, _) code = abs (other - code) == 1

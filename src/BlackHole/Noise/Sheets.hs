@@ -139,8 +139,8 @@ weave (Sheets reals gradients) (Weave filaments bend growth) !count !v (Strand w
               | weight1 < 1e-6 = strand weight2 turns2 height2
               | otherwise = strand weight1 turns1 height1 + strand weight2 turns2 height2
             !part
-              | filaments == 0 || i == 0 || left <= 1 = noise
-              | otherwise = let q = filaments * min 1 (left - 1) in noise + q * (crest noise - noise)
+              | filaments == 0 || i == 0 || left <= 1.5 = noise
+              | otherwise = let q = filaments * min 1 (left - 1.5) in noise + q * (crest noise - noise)
          in go (i + 1) (left - 1) (first + 1 `unsafeShiftL` (columns + rows)) (2 * scale) $
               total + weight * max 0 (1 + growth * total) * part
 

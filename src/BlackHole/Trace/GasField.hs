@@ -179,7 +179,7 @@ detail :: Disk -> [(Double, Double)] -> Double -> [Double]
 detail disk moments len = [count, density full - density count, heat count]
   where
     full = fromIntegral (diskTurbulenceOctaves disk)
-    count = max 1 (min full (0.75 - logBase 2 (max 1e-9 (diskTurbulenceFrequency disk * len))))
+    count = max 1 (min full (0.4 - logBase 2 (max 1e-9 (diskTurbulenceFrequency disk * len))))
     density = between fst
     heat = between snd
     -- Four values for each octave.

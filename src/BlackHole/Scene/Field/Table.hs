@@ -257,7 +257,7 @@ glowPart = disk (part (glowOf . Gas.diskColour) (\glow d -> d {Gas.diskColour = 
     colourOf RampGlow _ = HueRamp
     colourOf BolometricGlow _ = Bolometric
     colourOf BlackBodyGlow colour@(BlackBody _) = colour
-    colourOf BlackBodyGlow _ = BlackBody 4500
+    colourOf BlackBodyGlow _ = BlackBody 2100
 
 temperaturePart :: Part Scene Double
 temperaturePart = disk (Part (temperature . Gas.diskColour) (\v d -> d {Gas.diskColour = BlackBody v}))
