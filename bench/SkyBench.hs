@@ -5,6 +5,8 @@ import BlackHole.Light.Radiance
 import BlackHole.Noise.PerlinG (Seed (..))
 import BlackHole.Trace.Beam
 import BlackHole.Trace.MilkyWay
+import BlackHole.Trace.RealSky
+import BlackHole.Trace.SkyFiles
 import BlackHole.Trace.SkyImage
 import BlackHole.Trace.StarCatalogue
 import BlackHole.Trace.StarField
@@ -18,7 +20,9 @@ benchmarks =
     "sky"
     [ bench "catalogue of 60000 stars" (whnf (starCount . starCatalogue (Seed 1)) 60000),
       bench "arranging them" (whnf (\flux -> through (starField flux stars) (beams 8e-4)) 1),
-      bench "Milky Way" (whnf (luminance . skyImageMean . milkyWay . Seed) 1),
+      bench "decoding the real stars" (whnf (starCount . decodeStars) starBytes),
+      bench "decoding the real Milky Way" (whnf (fmap skyImageMean . decodeMilkyWay) milkyWayBytes),
+      bench "random Milky Way" (whnf (luminance . skyImageMean . milkyWay . Seed) 1),
       bench "1000 beams of a pixel, stars" (whnf (through field) (beams 8e-4)),
       bench "1000 beams of a pixel, Milky Way" (whnf (behind band) (beams 8e-4)),
       bench "1000 beams of 0.01 rad, stars" (whnf (through field) (beams 1e-2)),

@@ -89,7 +89,7 @@ change pairs scene = case partitionEithers (map setting pairs) of
       Nothing -> Left (name ++ ": there is no such setting" ++ suggestion name settingNames)
       Just field -> case readValue (fieldKind field) text of
         Left expected -> Left (name ++ ": '" ++ text ++ "' is not " ++ expected)
-        Right value -> Right (Setting name value)
+        Right value -> Right (Setting (fieldPath field) value)
     latest = foldr keep []
     keep s later = if settingPath s `elem` map settingPath later then later else s : later
 

@@ -1,8 +1,11 @@
--- | Every command line that the documents show works. Pictures are made small.
+-- | The documents agree with the program: their command lines work (with small
+-- pictures), what they name exists, and the numbers they quote are those of the code.
 module DocumentsSpec (spec) where
 
 import BlackHole.Cli.Help (topicNames)
 import BlackHole.Cli.Options (Parsed (..), parseArguments)
+import BlackHole.Cli.Run (exitCode)
+import BlackHole.Scene.Preset (presetNames)
 import qualified Codec.Picture as Juicy
 import Control.Applicative ((<|>))
 import Control.Monad (filterM, forM_, unless, when)
@@ -12,10 +15,11 @@ import Data.Maybe (isJust, mapMaybe)
 import GHC.IO.Encoding (setFileSystemEncoding, setLocaleEncoding, utf8)
 import System.Directory (copyFile, createDirectoryIfMissing, doesFileExist, doesPathExist, findExecutable, listDirectory)
 import System.Exit (ExitCode (..))
-import System.FilePath (takeDirectory, takeExtension, (</>))
+import System.FilePath (takeDirectory, takeExtension, takeFileName, (</>))
 import System.IO.Temp (withSystemTempDirectory)
 import System.Process (CreateProcess (cwd), proc, readCreateProcessWithExitCode)
 import Test.Hspec
+import Text.Read (readMaybe)
 
 spec :: Spec
 spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
@@ -48,6 +52,52 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
     missing <- filterM (fmap not . doesPathExist) (nub targets)
     length targets `shouldSatisfy` (> 40)
     missing `shouldBe` []
+  describe "the documents" $ do
+    texts <- runIO (mapM (\document -> (,) document <$> readFile document) (filter (\f -> takeExtension f == ".md") documents))
+    let spans = nub [(document, code) | (document, text) <- texts, code <- codeSpans text]
+    it "name files that exist" $ do
+      let named = [(document, file) | (document, code) <- spans, file <- maybe [] pure (repositoryFile code)]
+      length named `shouldSatisfy` (> 30)
+      filterM (fmap not . doesPathExist . snd) named `shouldReturn` []
+    it "name modules that exist" $ do
+      sources <- concat <$> mapM filesBelow ["src", "backend"]
+      let places = map (++ "/") (sources ++ map takeDirectory sources)
+          named = [(document, code) | (document, code) <- spans, isModuleName code]
+          known code = any (\path -> any (path `isInfixOf`) places) [concatMap ('/' :) parts ++ end | parts <- [components code], end <- [".hs/", "/"]]
+      length named `shouldSatisfy` (> 30)
+      filter (not . known . snd) named `shouldBe` []
+    it "name options that exist" $ do
+      let options = concatMap (concatMap optionsIn . lines . helpOf) commands ++ ["--help", "--version"] ++ scripts
+          -- Of other programs: script/install and sbatch.
+          scripts = ["--prefix", "--uninstall", "--array"]
+          named = [(document, option) | (document, code) <- spans, any (`isPrefixOf` code) ["-", "blackhole "], option <- optionsIn code]
+      length named `shouldSatisfy` (> 80)
+      filter ((`notElem` options) . snd) named `shouldBe` []
+    it "quote the numbers of the code" $
+      forM_ quotations $ \(document, quotation, source, definition) -> do
+        (document, lookup document texts) `shouldSatisfy` maybe False (isInfixOf (unwords (words quotation)) . unwords . words) . snd
+        code <- readFile source
+        (source, code) `shouldSatisfy` any (isPrefixOf definition . dropWhile isSpace) . lines . snd
+    it "cover every preset" $
+      forM_ presetNames $ \name -> do
+        lookup "docs/gallery.md" texts `shouldSatisfy` maybe False (isInfixOf ("\n## " ++ name ++ "\n"))
+        lookup "scenes/README.md" texts `shouldSatisfy` maybe False (isInfixOf ("`" ++ name ++ ".yaml`"))
+        doesFileExist ("scenes" </> name ++ ".yaml") `shouldReturn` True
+    it "link to every document" $
+      forM_ [f | (f, _) <- texts, takeDirectory f == "docs", f /= "docs/README.md"] $ \file -> do
+        lookup "README.md" texts `shouldSatisfy` maybe False (elem file . links)
+        lookup "docs/README.md" texts `shouldSatisfy` maybe False (elem (takeFileName file) . links)
+    it "list every exit code" $ do
+      let listed = [number | line <- maybe [] lines (lookup "README.md" texts), Just rest <- [stripPrefix "| " line], Just number <- [readMaybe (takeWhile (/= ' ') rest)]]
+          code status = case exitCode status of
+            ExitSuccess -> 0 :: Int
+            ExitFailure n -> n
+      listed `shouldBe` map code [minBound .. maxBound]
+    it "name the modules that use CPP" $ do
+      sources <- filter ((== ".hs") . takeExtension) . concat <$> mapM filesBelow ["app", "backend", "bench", "script", "src"]
+      preprocessed <- filterM (fmap (isInfixOf "{-# LANGUAGE CPP") . readFile) sources
+      preprocessed `shouldBe` ["src/BlackHole/Physics/Leapfrog.hs"]
+      lookup "CONTRIBUTING.md" texts `shouldSatisfy` maybe False (isInfixOf "CPP, except in\n  `BlackHole.Physics.Leapfrog`")
   it "work in the program's help" $
     allWork (nub (concatMap (commandLines . unlines . mapMaybe shown . filter ("blackhole " `isInfixOf`) . filter (not . isPrefixOf "   ") . lines . helpOf) (topicNames ++ commands)))
   where
@@ -56,6 +106,10 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
     options' line = case line of
       ' ' : ' ' : '-' : _ -> filter ("--" `isPrefixOf`) (words (filter (/= ',') (take 24 line)))
       _ -> []
+    optionsIn = filter isOption . words . map (\c -> if isAlpha c || c == '-' then c else ' ')
+    isOption word = case word of
+      '-' : '-' : c : _ -> isAlpha c
+      _ -> False
     links text = case stripPrefix "](" text of
       Just rest | target <- takeWhile (`notElem` "#)") rest, not (null target), not ("http" `isPrefixOf` target) -> target : links rest
       _ -> maybe [] (links . drop 1) (if null text then Nothing else Just text)
@@ -64,12 +118,67 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
       Inform text -> text
       _ -> ""
 
+-- | What a document says, and the line of the source that it must agree with: the
+-- document, the quotation, the source file, and the beginning of a line in it.
+quotations :: [(FilePath, String, FilePath, String)]
+quotations =
+  [ ("docs/architecture.md", "up to 24 octaves", "src/BlackHole/Physics/LensTable.hs", "octaveCount = 24"),
+    ("docs/architecture.md", "octaves of 64 intervals", "src/BlackHole/Physics/LensTable.hs", "segmentCount = 64"),
+    ("docs/performance.md", "Closer than 2⁻²⁴ to the critical path", "src/BlackHole/Physics/LensTable.hs", "closest = 0.5 ^^ octaveCount"),
+    ("docs/physics.md", "b_c = 3√3/2 = 2.598076211353316", "src/BlackHole/Physics/Radii.hs", "criticalImpactParameter = 2.598076211353316"),
+    ("docs/physics.md", "greatest at r = 4.7755", "src/BlackHole/Physics/ThinDisk.hs", "peakRadius = 4.77546"),
+    ("docs/physics.md", "Tracing stops when t < 0.01", "src/BlackHole/Trace/Gas.hs", "opaqueEnough = 0.01"),
+    ("docs/physics.md", "and 10 beyond r = 40", "src/BlackHole/Physics/Leapfrog.hs", "| r2 > 1600 = 10"),
+    ("docs/options.md", "1 to 65536", "src/BlackHole/Scene/Field/Table.hs", "maximumPictureSide = 65536"),
+    ("docs/sky.md", "8192 by 4096", "src/BlackHole/Image/Panorama.hs", "maximumPanoramaPixels = 8192 * 4096"),
+    ("docs/film.md", "64×64", "src/BlackHole/Light/Dither.hs", "ditherTileSide = 64")
+  ]
+
+-- | The code within the sentences and tables of a document.
+codeSpans :: String -> [String]
+codeSpans = concatMap (inside . filter (/= '\\')) . prose False . lines
+  where
+    prose fenced (line : rest)
+      | "```" `isPrefixOf` line = prose (not fenced) rest
+      | fenced || "    " `isPrefixOf` line = prose fenced rest
+      | otherwise = line : prose fenced rest
+    prose _ [] = []
+    inside line = case break (== '`') line of
+      (_, _ : rest) -> let (code, more) = break (== '`') rest in code : inside (drop 1 more)
+      _ -> []
+
+-- | The file of the repository that a piece of code stands for, without what only
+-- stands for a value. @Trace/PixelSpec@ is a file of the tests.
+repositoryFile :: String -> Maybe FilePath
+repositoryFile code = case words code of
+  file : _
+    | takeWhile (/= '/') file `elem` [".ci", "app", "backend", "bench", "docs", "scenes", "script", "src", "test"],
+      '/' `elem` file && not ("NAME" `isInfixOf` file) ->
+      Just file
+    | "Spec" `isSuffixOf` file && '/' `elem` file -> Just ("test/BlackHole" </> file ++ ".hs")
+  _ -> Nothing
+
+-- | Whether it reads as a module of the library, as in @Physics.LensTable@; the name
+-- of something that it exports may follow.
+isModuleName :: String -> Bool
+isModuleName code = length (components code) > 1 && all (\c -> isAlpha c || c == '.') code
+
+-- | The parts of a module's name.
+components :: String -> [String]
+components = takeWhile (any isUpper . take 1) . words . map (\c -> if c == '.' then ' ' else c)
+
+-- | All files in a folder and those inside it.
+filesBelow :: FilePath -> IO [FilePath]
+filesBelow folder = do
+  entries <- map (folder </>) . sort <$> listDirectory folder
+  concat <$> mapM (\entry -> doesFileExist entry >>= \isFile -> if isFile then pure [entry] else filesBelow entry) entries
+
 -- | Documents and scene files with words for people.
 documentFiles :: IO [FilePath]
 documentFiles = do
   docs <- listDirectory "docs"
   scenes <- listDirectory "scenes"
-  pure (["README.md", "CONTRIBUTING.md"] ++ sort (["docs" </> f | f <- docs, takeExtension f == ".md"] ++ ["scenes" </> f | f <- scenes, takeExtension f `elem` [".md", ".yaml"]]))
+  pure (["README.md", "CONTRIBUTING.md", "CHANGELOG.md"] ++ sort (["docs" </> f | f <- docs, takeExtension f == ".md"] ++ ["scenes" </> f | f <- scenes, takeExtension f `elem` [".md", ".yaml"]]))
 
 -- | The program's arguments, and the file that its output goes to.
 data Command = Command [String] (Maybe FilePath)

@@ -4,11 +4,13 @@ module BlackHole.Animation.FrameName
     parseFrameName,
     framePattern,
     frameFile,
+    frameNumber,
   )
 where
 
 import Data.Char (isDigit)
-import System.FilePath (takeDirectory)
+import Data.List (stripPrefix)
+import System.FilePath (takeDirectory, takeFileName)
 import Text.Read (readMaybe)
 
 -- | A pattern with one place for a number: what goes before, its least number
@@ -55,3 +57,10 @@ frameFile (FrameName before digits after) n =
   before ++ replicate (digits - length number) '0' ++ number ++ after
   where
     number = show n
+
+-- | The frame whose file has this name, given without its folder.
+frameNumber :: FrameName -> FilePath -> Maybe Int
+frameNumber name@(FrameName before _ after) file = do
+  rest <- stripPrefix (takeFileName before) file
+  n <- readMaybe (take (length rest - length after) rest)
+  if n >= 0 && takeFileName (frameFile name n) == file then Just n else Nothing

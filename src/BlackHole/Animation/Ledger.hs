@@ -30,6 +30,7 @@ where
 import BlackHole.Animation.Claim
 import BlackHole.Animation.Digest
 import BlackHole.Animation.FrameName
+import BlackHole.Image.AtomicFile (renderWriteProblem, writeFileAtomically)
 import Control.Exception (IOException, catch, finally, onException)
 import Control.Monad (unless, when)
 import qualified Data.ByteString as Bytes
@@ -38,7 +39,7 @@ import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.ByteString.Lazy.Char8 as LazyChar8
 import Data.List (isSuffixOf, sort, stripPrefix)
 import Data.Maybe (mapMaybe)
-import System.Directory (createDirectoryIfMissing, doesFileExist, getFileSize, listDirectory, removeFile, renameFile)
+import System.Directory (createDirectoryIfMissing, doesFileExist, getFileSize, listDirectory, pathIsSymbolicLink, removeFile, renameFile)
 import System.FilePath (takeDirectory, takeFileName, (</>))
 import System.IO (IOMode (WriteMode), withBinaryFile)
 import Text.Read (readMaybe)
@@ -108,13 +109,19 @@ frameCondition ledger frame scene = do
   where
     file = frameFile (ledgerFrameName ledger) frame
 
--- | Put a frame's file into its place, then its record.
+-- | Put a frame's file into its place, then its record. A symbolic link stays, and
+-- the file that it leads to is replaced.
 storeFrame :: Ledger -> Int -> Digest -> Double -> Lazy.ByteString -> IO ()
 storeFrame ledger frame scene seconds bytes = do
-  inOneStep ledger name (frameFile (ledgerFrameName ledger) frame) bytes
+  link <- quietly False (pathIsSymbolicLink file)
+  -- Another file system may be behind it.
+  if link
+    then writeFileAtomically file bytes >>= either (ioError . userError . renderWriteProblem) pure
+    else inOneStep ledger name file bytes
   inOneStep ledger name (recordPath ledger frame) . LazyChar8.pack . renderRecord $
     Record scene (digestBytes bytes) (toInteger (Lazy.length bytes)) seconds
   where
+    file = frameFile (ledgerFrameName ledger) frame
     name = frameLabel ledger frame
 
 -- | Clear away what a process that is gone has left of a frame that is finished:

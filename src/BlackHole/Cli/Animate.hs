@@ -29,8 +29,10 @@ import BlackHole.Scene.Scene (Scene)
 import BlackHole.Scene.Validate
 import BlackHole.Trace.SkyImage (SkyImage)
 import Control.Exception (IOException, try)
+import Control.Monad (when)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (isDigit, toLower)
+import Data.Foldable (toList)
 import Data.List (intercalate)
 import Data.List.NonEmpty (NonEmpty)
 import Data.Maybe (fromMaybe, listToMaybe)
@@ -110,8 +112,8 @@ adjustFilm options film =
     { filmRate = rate,
       filmFrames = case (animateDuration options, animateRate options) of
         (Nothing, Nothing) -> filmFrames film
-        -- A rate that makes no sense is complained of by itself.
-        _ | rate > 0 -> round (max 0 (min 1e9 (duration * rate)))
+        -- Numbers that make no sense are reported by 'usageProblems'.
+        _ | rate > 0 && duration > 0 -> round (min 1e9 (duration * rate))
         _ -> filmFrames film,
       filmShutter =
         Shutter
@@ -151,6 +153,7 @@ runFilm ::
 runFilm options say sky text develop film = do
   environment <- getEnvironment
   coder <- findCoder
+  when (filmFrames film > 20000 && filmFrames film <= maximumFrames) $ say ("a film of " ++ show (filmFrames film) ++ " frames, which are checked first")
   case plan options environment coder film of
     Left (ending, problems) -> ending <$ mapM_ say problems
     Right (name, frames, video) -> do
@@ -192,7 +195,7 @@ plan options environment coder film = do
       Just SlurmShard -> slurmShard (`lookup` environment)
     selected = case animateFrames options of
       Nothing -> [0 .. filmFrames film - 1]
-      Just (from, to) -> [from .. maybe id min to (filmFrames film - 1)]
+      Just (from, to) -> [from .. fromMaybe (filmFrames film - 1) to]
     coded (kind, file) = case coder of
       Just program -> Right (program, kind, file)
       Nothing -> Left (CannotStart, ["--video: ffmpeg is not installed (on Debian and Ubuntu: apt-get install ffmpeg); nothing has been rendered"])
@@ -215,9 +218,17 @@ usageProblems options film =
          | Just n <- [animateThreads options],
            Nothing <- [workers n]
        ]
-    ++ [ Problem "--frames" (show from) ("a frame of a film of " ++ show (filmFrames film))
-         | Just (from, _) <- [animateFrames options],
-           from >= filmFrames film
+    ++ [ Problem "--fps" (show rate) "a number of frames per second from 0.001 to 1000"
+         | Just rate <- [animateRate options],
+           not (rate >= 0.001 && rate <= 1000)
+       ]
+    ++ [ Problem "--duration" (show seconds) ("a length of 1 to " ++ show maximumFrames ++ " frames at " ++ show (filmRate film) ++ " frames per second")
+         | Just seconds <- [animateDuration options],
+           not (seconds > 0 && filmFrames film >= 1 && filmFrames film <= maximumFrames)
+       ]
+    ++ [ Problem "--frames" (show from ++ maybe "" (\end -> if end == from then "" else '-' : show end) to) ("a range of frames of this film, which are 0 to " ++ show (filmFrames film - 1))
+         | Just (from, to) <- [animateFrames options],
+           maximum (from : toList to) >= filmFrames film
        ]
     ++ [ Problem "--stale-after" (show patience) "a number of seconds from 1 on"
          | isNaN patience || patience < 1

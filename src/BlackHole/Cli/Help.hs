@@ -175,6 +175,7 @@ topicText topic =
     [topicName topic ++ ": settings of a scene, as options of render and in scene files.", ""]
       ++ concat [row 30 (label f) (meaning f) | f <- sceneFields, fieldTopic f == topic]
       ++ (if topic == Diagnostics then concatMap (uncurry (row 30)) others else [])
+      ++ (if topic == Sky then "" : concatMap (wrapped 0) skySources else [])
       ++ ["", "Example: blackhole render " ++ example topic]
   where
     label f = case fieldOption f of
@@ -188,6 +189,14 @@ topicText topic =
         ("--progress HOW", "How to tell about progress"),
         ("--strict", "Fail if a pixel has no finite radiance")
       ]
+
+-- | Where the real sky comes from.
+skySources :: [String]
+skySources =
+  [ "The real sky has 118 235 stars with their measured positions, magnitudes and colours: ESA, 1997, The Hipparcos and Tycho Catalogues, ESA SP-1200, and for bright stars the Bright Star Catalogue, 5th edition (Hoffleit and Warren 1991).",
+    "The Milky Way is the light of all stars that are not among them, from star counts of the Tycho-2 and NOMAD catalogues and a model of the Galaxy behind the dust measured by Schlegel, Finkbeiner and Davis 1998.",
+    "data/sky/README.md and docs/sky.md say more."
+  ]
 
 -- | Options of render that show what a topic is about.
 example :: Topic -> String

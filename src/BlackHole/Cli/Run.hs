@@ -9,14 +9,16 @@ module BlackHole.Cli.Run
 where
 
 import BlackHole.Animation.Exposure
-import BlackHole.Animation.Film (filmScene)
+import BlackHole.Animation.Film (Film (filmScene, filmShutter), Shutter (shutterOpen))
+import BlackHole.Animation.FrameName (frameFile, frameNumber, parseFrameName)
 import BlackHole.Cli.Animate
-import BlackHole.Cli.Console
+import BlackHole.Cli.Console hiding (tell)
 import BlackHole.Cli.Explain (explanationLines, pixelProblems)
 import BlackHole.Cli.FilmScene (loadFilm)
 import BlackHole.Cli.Join
 import BlackHole.Cli.Memory
 import BlackHole.Cli.Options
+import BlackHole.Cli.Overwriting (overwritten)
 import BlackHole.Cli.Photon
 import BlackHole.Cli.Preview
 import BlackHole.Cli.Progress (withProgress)
@@ -45,7 +47,9 @@ import BlackHole.Scene.File.SceneFile (printScene)
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Validate
 import BlackHole.SelfTest.Check (Check, checkHolds)
-import BlackHole.Trace.Explain (explainPixelUnder)
+import BlackHole.Trace.Explain (explainPixel)
+import BlackHole.Trace.Pixel (tracerUnder)
+import BlackHole.Trace.Sky (neededPicture)
 import BlackHole.Trace.SkyImage (SkyImage)
 import Control.Applicative ((<|>))
 import Control.Exception (IOException, SomeAsyncException (..), SomeException, catch, displayException, fromException, throwIO, try)
@@ -61,8 +65,10 @@ import Data.Version (showVersion)
 import GHC.Clock (getMonotonicTime)
 import qualified Paths_blackhole as Package
 import qualified System.Console.Terminal.Size as Terminal
+import System.Directory (listDirectory)
 import System.Environment (getEnvironment)
 import System.Exit (ExitCode (..))
+import System.FilePath (takeDirectory, (</>))
 import System.IO (Handle, IOMode (ReadMode), hIsTerminalDevice, stdout, withBinaryFile)
 import System.IO.Error (ioeGetErrorString)
 import System.Info (compilerName, compilerVersion)
@@ -173,21 +179,23 @@ render options
           not (null others) ->
           complain BadInput "--tile: a frame of a film with an open shutter is rendered as a whole"
         | Just part <- renderTile options -> case tileProblems part (scenePicture scene) of
-          [] -> ready scene (snd (shardRows part (pictureHeight (scenePicture scene)))) (\sky crew -> tileTo sky crew part scene)
+          [] -> ready (Making Tile False False) scene (snd (shardRows part (pictureHeight (scenePicture scene)))) (\sky crew -> tileTo sky crew part scene)
           problems -> complainAll UsageError problems
         | otherwise -> case outputFormat output of
           Just format -> case codingProblems format coding of
-            [] -> ready scene (pictureHeight (scenePicture scene)) (\sky crew -> renderTo sky crew format coding scenes')
+            [] -> ready (Making (WholePicture format) (not (null others)) (runKeepPartial how)) scene (pictureHeight (scenePicture scene)) (\sky crew -> renderTo sky crew format coding scenes')
             problems -> complainAll UsageError problems
           Nothing -> complainAll UsageError [unknownExtension]
   where
     output = renderOutput options
     withCrew = inCrew (renderThreads options)
-    ready scene rows action = do
-      lacking <- memoryProblem scene rows
+    ready making scene rows action = do
+      clashes <- overwritten (sceneInputs (renderScene options) scene ++ [("--from", from) | Just from <- [renderFrom options]]) (("--output", output) : [("--stats", file) | Just file <- [runStats how]])
+      lacking <- memoryProblem making scene rows
       outputProblem <- outputFault output
       statsProblem <- maybe (pure (Right ())) checkWritable (runStats how)
       case (lacking, outputProblem, statsProblem) of
+        _ | _ : _ <- clashes -> UsageError <$ mapM_ say clashes
         (Just line, _, _) -> complain BadInput line
         (_, Just line, _) -> complain CannotWrite ("--output: " ++ line)
         (_, _, Left problem) -> complain CannotWrite ("--stats: " ++ renderWriteProblem problem)
@@ -333,11 +341,20 @@ join options = case (formatOf output, joinCoding options) of
       joined <- openTiles (joinTiles options)
       case joined of
         Left problems -> BadInput <$ mapM_ (complain BadInput) problems
-        Right (scene, tiles) -> inCrew (joinThreads options) $ \crew ->
+        Right (scene, tiles) -> writing format scene tiles . inCrew (joinThreads options) $ \crew ->
           maybe (complain CannotWrite (noRoom output)) (storeBy output) $
             finishBands crew programName format coding (scene :| []) (readPictureRows tiles) (countsOf scene tiles)
   where
     output = joinOutput options
+    writing format scene tiles action = do
+      lacking <- memoryProblem (Making (Joined format) False False) scene (pictureHeight (scenePicture scene))
+      clashes <- overwritten [("a tile", tileFilePath tile) | tile <- tiles] [("--output", output)]
+      outputProblem <- outputFault output
+      case (clashes, lacking, outputProblem) of
+        (_ : _, _, _) -> UsageError <$ mapM_ say clashes
+        (_, Just line, _) -> complain BadInput line
+        (_, _, Just line) -> complain CannotWrite ("--output: " ++ line)
+        _ -> action
     countsOf scene tiles row = do
       counts <- readCountsRow tiles row
       pure (fromMaybe (Vector.replicate (pictureWidth (scenePicture scene)) (fromIntegral (sceneSamples scene))) counts)
@@ -354,9 +371,27 @@ animate options = case (animateStatus options, formatOf (animateOutput options))
       case loaded of
         Left problems -> BadInput <$ mapM_ say problems
         Right Nothing -> complain BadInput "a film needs a scene file with a section animation (see docs/animation.md)"
-        Right (Just film) -> underSky (filmScene film) $ \sky ->
-          endStatus <$> runFilm options say (skyFileImage <$> sky) (describe sky) (develop format) (adjustFilm options film)
+        Right (Just found) -> do
+          let film = adjustFilm options found
+          clashes <- filmClashes film
+          lacking <- memoryProblem (Making (Frame format) (shutterOpen (filmShutter film) > 0) False) (filmScene film) (pictureHeight (scenePicture (filmScene film)))
+          case (clashes, lacking) of
+            (_ : _, _) -> UsageError <$ mapM_ say clashes
+            (_, Just line) -> complain BadInput line
+            _ -> shootFilm format film
   where
+    shootFilm format film =
+      underSky (filmScene film) $ \sky ->
+        endStatus <$> runFilm options say (skyFileImage <$> sky) (describe sky) (develop format) film
+    -- Frames that exist are compared, the others cannot be a file that is read.
+    filmClashes film = case parseFrameName (animateOutput options) of
+      Left _ -> pure []
+      Right name -> do
+        let folder = takeDirectory (frameFile name 0)
+        names <- either (const [] :: IOException -> [FilePath]) id <$> try (listDirectory folder)
+        overwritten
+          (sceneInputs (animateScene options) (filmScene film))
+          ([("--video", file) | Just file <- [animateVideo options]] ++ [("--output", folder </> file) | file <- names, Just _ <- [frameNumber name file]])
     coding = animateCoding options
     describe sky = printScene ((programName ++ ", " ++ show coding) : skyLines sky)
     develop format crew = finishFilm crew programName format coding
@@ -366,6 +401,10 @@ animate options = case (animateStatus options, formatOf (animateOutput options))
       WrongArguments -> UsageError
       WrongFilm -> BadInput
       CannotStart -> CannotWrite
+
+-- | The files that a scene is made of, with the words for them in a message.
+sceneInputs :: SceneOptions -> Scene -> [(String, FilePath)]
+sceneInputs options scene = [("the scene", file) | Just file <- [sceneFile options]] ++ [("the sky", file) | Just file <- [neededPicture scene]]
 
 -- | Go on with the picture of a scene's sky, if it has one.
 underSky :: Scene -> (Maybe SkyFile -> IO ExitStatus) -> IO ExitStatus
@@ -444,7 +483,7 @@ scenes task = do
 
 -- | One pixel explained instead.
 explain :: Scene -> (Int, Int) -> Maybe SkyImage -> IO ExitStatus
-explain scene (x, y) sky = case explainPixelUnder sky scene x y of
+explain scene (x, y) sky = case tracerUnder sky scene >>= \traced -> explainPixel traced x y of
   Just explanation -> printed Done (unlines (explanationLines scene explanation))
   Nothing -> untraceable
 

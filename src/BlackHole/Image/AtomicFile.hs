@@ -12,6 +12,7 @@ module BlackHole.Image.AtomicFile
   ( writeFileAtomically,
     writeAtomically,
     checkWritable,
+    finalTarget,
     WriteProblem (..),
     renderWriteProblem,
     printable,
@@ -169,6 +170,14 @@ locate path
       exists <- doesDirectoryExist (takeDirectory target)
       pure $ if exists then Right destination else Left (FolderMissing path (takeDirectory target))
     new destination = pure (Right destination)
+
+-- | Where the symbolic links lead that a path may name; the path itself if it is no
+-- link, or the links go round in circles.
+finalTarget :: FilePath -> IO FilePath
+finalTarget path = destination <$> followLinks path
+  where
+    destination (Right (Replaced target)) = target
+    destination _ = path
 
 -- A process's own open files look like links to a regular file when the shell
 -- has redirected them, but to replace that file would cut off the shell's end.

@@ -1,4 +1,4 @@
--- | JPEG files, for where a small file counts more than every detail.
+-- | JPEG files, for when a small file matters more than every detail.
 module BlackHole.Image.Jpeg
   ( encodeJpeg,
     jpegLabel,
@@ -19,9 +19,10 @@ import qualified Data.ByteString.Char8 as Characters
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Word (Word8)
 
--- | @encodeJpeg quality label codes@, the quality from 1 to 100; colours at full
--- resolution. The label is a comment; of one longer than 64 KiB the rest is cut
--- off. The format holds sides of up to 65535 pixels. About 0.1 µs a pixel, by one worker.
+-- | @encodeJpeg quality label codes@ is a JPEG file with colours at full resolution;
+-- the quality is from 1 to 100. The label becomes a comment, truncated at 64 KiB. The
+-- format allows sides of up to 65535 pixels. Takes about 0.1 µs per pixel, on one
+-- worker.
 encodeJpeg :: Int -> Label -> PixelArray Word8 -> Lazy.ByteString
 encodeJpeg quality label codes = Lazy.concat [before, Lazy.fromStrict comment, after]
   where
@@ -29,7 +30,7 @@ encodeJpeg quality label codes = Lazy.concat [before, Lazy.fromStrict comment, a
     coded =
       encodeJpegAtQuality (fromIntegral (max 1 (min 100 quality))) $
         convertImage (Image (shapeWidth shape) (shapeHeight shape) (toPixelVector codes) :: Image PixelRGB8)
-    -- After the start marker and the JFIF segment, if that is there.
+    -- After the start marker and the JFIF segment, if there is one.
     (before, after) = Lazy.splitAt (fromIntegral headSize) coded
     start = Lazy.toStrict (Lazy.take 64 coded)
     headSize = case (slice 2 2 start, bigEndian 2 4 start) of
@@ -41,7 +42,7 @@ encodeJpeg quality label codes = Lazy.concat [before, Lazy.fromStrict comment, a
         Builder.word16BE commentMarker <> Builder.word16BE (fromIntegral (Bytes.length text + 2)) <> Builder.byteString text
     commentMarker = 0xfffe
 
--- | The label of a JPEG file that this program wrote.
+-- | The label of a JPEG file written by this program.
 jpegLabel :: ByteString -> Maybe Label
 jpegLabel bytes = Bytes.stripPrefix (Bytes.pack [0xff, 0xd8]) bytes >>= go
   where
@@ -51,6 +52,6 @@ jpegLabel bytes = Bytes.stripPrefix (Bytes.pack [0xff, 0xd8]) bytes >>= go
       content <- slice 4 (size - 2) rest
       case marker of
         0xfffe | Characters.pack "# " `Bytes.isPrefixOf` content -> parseLabel content
-        -- The picture itself begins.
+        -- The start of the picture itself.
         0xffda -> Nothing
         _ -> go (Bytes.drop (2 + size) rest)

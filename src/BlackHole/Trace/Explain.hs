@@ -10,7 +10,6 @@ module BlackHole.Trace.Explain
     Shown (..),
     explainPixel,
     gatheredAlong,
-    explainPixelUnder,
     shownAs,
   )
 where
@@ -29,7 +28,6 @@ import BlackHole.Trace.Gas
 import BlackHole.Trace.Pixel
 import BlackHole.Trace.PlaneCrossing
 import BlackHole.Trace.Sampling (Sample (..))
-import BlackHole.Trace.SkyImage (SkyImage)
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ)
 import Data.Word (Word8)
@@ -54,7 +52,7 @@ data Sighting = Sighting
     sightingPoint :: !XY,
     -- | Its direction in the observer's frame, of unit length.
     sightingDirection :: !XYZ,
-    -- | 'Nothing' if no light arrives from outside ('sightLine').
+    -- | 'Nothing' if no light arrives from outside ('BlackHole.Physics.Observer.sightLine').
     sightingArrival :: !(Maybe Arrival),
     -- | The radiance seen along it, 'sightRadiance'.
     sightingRadiance :: !Radiance
@@ -98,20 +96,14 @@ data Shown = Shown
   }
   deriving (Eq, Show)
 
--- | Explains the pixel in a column and a row. 'Nothing' outside the picture, and for a
--- scene that cannot be traced ('tracer'). Takes as long as three such pixels.
-explainPixel :: Scene -> Int -> Int -> Maybe Explanation
-explainPixel = explainPixelUnder Nothing
-
--- | 'explainPixel' with the environment map, for a scene that has one.
-explainPixelUnder :: Maybe SkyImage -> Scene -> Int -> Int -> Maybe Explanation
-explainPixelUnder picture scene column row
+-- | The explanation of the pixel in a column and a row, both from 0 at the top
+-- left; 'Nothing' outside the picture. It costs about three times as much as
+-- rendering the pixel.
+explainPixel :: Tracer -> Int -> Int -> Maybe Explanation
+explainPixel traced column row
   | column < 0 || row < 0 || column >= width || row >= height = Nothing
-  | otherwise = do
-    traced <- tracerUnder picture scene
-    let estimate = pixelEstimate traced column row
-        radiance = estimatedRadiance estimate
-    pure
+  | otherwise =
+    Just
       Explanation
         { explainedPixel = (column, row),
           explainedMiddle = sighting scene traced (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)),
@@ -123,7 +115,10 @@ explainPixelUnder picture scene column row
           explainedShown = shownAs scene column row radiance
         }
   where
+    scene = tracedScene traced
     Picture width height = scenePicture scene
+    estimate = pixelEstimate traced column row
+    radiance = estimatedRadiance estimate
 
 sighting :: Scene -> Tracer -> XY -> Sighting
 sighting scene traced point =

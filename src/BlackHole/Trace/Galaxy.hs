@@ -1,6 +1,8 @@
--- | How our galaxy lies in the sky of the scene: tilted against the disk, with
--- its bright middle not far from straight behind the hole for the camera of the
--- default scene.
+-- | How the galaxy lies in the sky of the scene: for a camera that looks at the hole
+-- from a little above the disk, at azimuth 90°, the Milky Way crosses behind the hole
+-- from the lower left to the upper right, and the galactic centre stands a little to
+-- the right of the hole. North is at the upper left, as seen from inside: nothing is
+-- mirrored.
 module BlackHole.Trace.Galaxy
   ( galacticPole,
     galacticCentre,
@@ -13,22 +15,22 @@ import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^), (^-^))
 import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Maybe (fromMaybe)
 
--- | The direction to the middle of the galaxy (unit length).
+-- | The direction to the galactic centre (unit length).
 galacticCentre :: XYZ
-galacticCentre = unit (XYZ 0.12 0.2 (-1))
+galacticCentre = unit (XYZ 0.139 (-0.083) (-1))
 
--- | The direction at right angles to the galaxy's plane (unit length).
+-- | The direction of the north galactic pole (unit length).
 galacticPole :: XYZ
 galacticPole = unit (towards ^-^ XYZ.dot towards galacticCentre *^ galacticCentre)
   where
-    towards = XYZ 0.85 0.35 0.1
+    towards = XYZ (-0.788) 0.597 (-0.159)
 
--- | The third axis, along the plane.
+-- | The third axis, in the plane, at longitude 90°.
 galacticEast :: XYZ
 galacticEast = XYZ.cross galacticPole galacticCentre
 
--- | From galactic coordinates (towards the middle, along the plane, towards the
--- pole) to the scene's.
+-- | A direction of the scene from its galactic components: towards the centre, towards
+-- longitude 90° in the plane, and towards the north pole.
 fromGalactic :: XYZ -> XYZ
 fromGalactic (XYZ c e p) = c *^ galacticCentre ^+^ e *^ galacticEast ^+^ p *^ galacticPole
 

@@ -51,7 +51,7 @@ import BlackHole.Trace.Sampling
 import BlackHole.Trace.Sky
 import BlackHole.Trace.SkyImage (SkyImage)
 import BlackHole.Vector.XY (XY (..))
-import BlackHole.Vector.XYZ (XYZ, (*^))
+import BlackHole.Vector.XYZ (XYZ, (*^), (^-^))
 import qualified BlackHole.Vector.XYZ as XYZ
 import GHC.Exts (lazy)
 
@@ -170,10 +170,13 @@ addSamples :: Tracer -> Int -> Int -> Estimate -> Int -> Int -> Estimate
 addSamples prepared from to estimate column row = go from estimate
   where
     traced = lazy prepared
+    shared
+      | to - from > 1 = skyPatch traced (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5))
+      | otherwise = Nothing
     go !index !sums
       | index < to =
         let Sample place weight = samplePoint (tracerScene traced) column row index
-         in go (index + 1) (addSample (tracerGain traced) weight (sightRadiance traced place) sums)
+         in go (index + 1) (addSample (tracerGain traced) weight (sharingRadiance traced shared place) sums)
       | otherwise = sums
 
 -- | 'addSamples' for three pixels in a row, starting at a column.
@@ -216,7 +219,7 @@ threeSights traced p0 p1 p2 = case (tracedSight traced p0, tracedSight traced p1
             (gathering s1)
             (gathering s2)
             nothingYet
-     in (seen traced p0 s0 f0, seen traced p1 s1 f1, seen traced p2 s2 f2)
+     in (seen traced Nothing p0 s0 f0, seen traced Nothing p1 s1 f1, seen traced Nothing p2 s2 f2)
   _ -> (sightRadiance traced p0, sightRadiance traced p1, sightRadiance traced p2)
   where
     scene = tracerScene traced
@@ -224,18 +227,62 @@ threeSights traced p0 p1 p2 = case (tracedSight traced p0, tracedSight traced p1
 -- | The radiance that arrives at a point of the picture, in pixels from the top left
 -- corner.
 sightRadiance :: Tracer -> XY -> Radiance
-sightRadiance prepared point = case tracedSight traced point of
+sightRadiance prepared = sharingRadiance prepared Nothing
+
+-- | 'sightRadiance', given the sky behind the pixel where it is known.
+sharingRadiance :: Tracer -> Maybe SkyPatch -> XY -> Radiance
+sharingRadiance prepared shared point = case tracedSight traced point of
   Nothing -> black
-  Just sight -> seen traced point sight (followLight traced point sight)
+  Just sight -> seen traced shared point sight (followLight traced point sight)
   where
     -- Otherwise GHC takes the record apart for the call and reassembles it here.
     traced = lazy prepared
 
 -- | The light of the gas, plus the sky's contribution.
-seen :: Tracer -> XY -> SightLine -> Followed Gathered -> Radiance
-seen traced point sight (Followed fate (Gathered light transmittance) _) =
-  light <+> scaleRadiance transmittance (tracedSky traced point sight fate)
+seen :: Tracer -> Maybe SkyPatch -> XY -> SightLine -> Followed Gathered -> Radiance
+seen traced shared point sight (Followed fate (Gathered light transmittance) _) =
+  light <+> scaleRadiance transmittance behind
+  where
+    behind = case fate of
+      Escaped direction | Just patch <- shared, Just sky <- patchRadiance patch point direction -> sky
+      _ -> tracedSky traced point sight fate
 {-# INLINE seen #-}
+
+-- | The sky behind a pixel, without gas: the pixel's centre, the beam through it, the
+-- square of the distance from the beam's prediction up to which a line of sight may
+-- share the light, and the light.
+data SkyPatch
+  = SkyPatch
+      {-# UNPACK #-} !XY
+      {-# UNPACK #-} !Beam
+      {-# UNPACK #-} !Double
+      {-# UNPACK #-} !Radiance
+
+-- | The sky behind the pixel around a point of the picture, for all of its samples: the
+-- light through a beam is already filtered for a whole pixel, so one evaluation is
+-- enough. 'Nothing' for a sky that is cheap to evaluate, and where no light arrives from
+-- it.
+skyPatch :: Tracer -> XY -> Maybe SkyPatch
+skyPatch traced point = case tracerSky traced of
+  ByDirection _ -> Nothing
+  ByBeam shader -> do
+    sight <- tracedSight traced point
+    direction <- escapeDirection traced point sight
+    beam <- tracedBeam traced point sight direction
+    let area = beamSolidAngle beam
+        breadth = XYZ.dot (beamAlongX beam) (beamAlongX beam) + XYZ.dot (beamAlongY beam) (beamAlongY beam)
+    pure (SkyPatch point beam (0.01 * area * area / breadth) (shader (skyShift (tracerSkyShift traced) (sightFrequency sight)) beam))
+
+-- | A patch's light for a line of sight through a point of the picture that escapes in
+-- this direction. 'Nothing' if the direction is farther from the beam's prediction than
+-- a tenth of the beam's width, as beside a critical curve and at the edge of the shadow.
+patchRadiance :: SkyPatch -> XY -> XYZ -> Maybe Radiance
+patchRadiance (SkyPatch (XY x0 y0) (Beam d a b) slack light) (XY x y) direction
+  | XYZ.dot miss miss <= slack = Just light
+  | otherwise = Nothing
+  where
+    miss = direction ^-^ d ^-^ (x - x0) *^ a ^-^ (y - y0) *^ b
+{-# INLINE patchRadiance #-}
 
 -- | The scene that was prepared.
 tracedScene :: Tracer -> Scene
@@ -285,12 +332,17 @@ tracedBeam traced point@(XY x y) sight direction = case sceneSpacetime (tracerSc
   _ -> beamByDifferences escape point
   where
     step = 0.01
-    clear = traced {tracerRegion = emptyRegion}
-    escape beside = do
-      found <- tracedSight traced beside
-      case followSight clear beside found (\() _ -> Onward ()) () of
-        Followed (Escaped d) _ _ -> Just d
-        _ -> Nothing
+    escape beside = tracedSight traced beside >>= escapeDirection traced beside
+
+-- | The direction in which a line of sight escapes, disregarding gas, if it does.
+escapeDirection :: Tracer -> XY -> SightLine -> Maybe XYZ
+escapeDirection traced point sight = case fate of
+  Escaped direction -> Just direction
+  _ -> Nothing
+  where
+    fate
+      | sceneIntegrator (tracerScene traced) == Tabulated = sweptFate (sceneSpacetime (tracerScene traced)) (tracerTable traced) (sightPhoton sight)
+      | otherwise = followedFate (followSight traced {tracerRegion = emptyRegion} point sight (\() _ -> Onward ()) ())
 
 -- | Whether the edge of the shadow passes through or beside the pixel around a point of
 -- the picture. All higher-order images of the gas crowd together at that edge in rings

@@ -1,13 +1,15 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | A catalogue of point stars, made from a seed: as many of each magnitude as
--- in our own sky, with the colours that bright stars have, and denser towards
--- the plane of the galaxy.
+-- | Catalogues of point stars in order of brightness, and a random one made from a
+-- seed: with as many stars of each magnitude as the real sky, the colours of bright
+-- stars, and denser towards the plane of the galaxy.
 --
--- The catalogue is in order of brightness, and a star depends on the seed and
--- its number alone: a longer catalogue only adds fainter stars.
+-- A star of the random catalogue depends on the seed and its number alone: a longer
+-- catalogue only adds fainter stars.
 module BlackHole.Trace.StarCatalogue
   ( StarCatalogue,
+    Star (..),
+    catalogueOf,
     starCatalogue,
     starCount,
     starDirection,
@@ -34,21 +36,25 @@ import GHC.Float (double2Float, float2Double)
 -- | Stars by their number from 0, the brightest first. 20 bytes a star.
 newtype StarCatalogue = StarCatalogue (U.Vector Float)
 
--- | Numbers kept of a star: direction, magnitude, temperature.
+-- | Numbers stored for a star: direction, magnitude, temperature.
 starNumbers :: Int
 starNumbers = 5
 
--- | The catalogue of the so many brightest stars under a seed. 0.2 µs a star,
--- shared by all processors that are idle.
-starCatalogue :: Seed -> Int -> StarCatalogue
-starCatalogue (Seed seed) count = StarCatalogue (U.concat (inParallel (map piece [0, pieceSize .. count - 1])))
+-- | A star: its direction (unit length), apparent magnitude, and temperature in
+-- kelvin.
+data Star = Star !XYZ !Double !Double
+
+-- | The catalogue of so many stars, given each by its number from 0; the magnitudes
+-- must not fall. All idle processors share the work.
+catalogueOf :: Int -> (Int -> Star) -> StarCatalogue
+catalogueOf count starAt = StarCatalogue (U.concat (inParallel (map piece [0, pieceSize .. count - 1])))
   where
     pieceSize = 5000
     piece from = U.create $ do
       let here = min pieceSize (count - from)
       numbers <- M.new (starNumbers * here)
       forM_ [0 .. here - 1] $ \i -> do
-        let !(Star (XYZ x y z) magnitude temperature) = star seed (from + i)
+        let !(Star (XYZ x y z) magnitude temperature) = starAt (from + i)
             put k = M.unsafeWrite numbers (starNumbers * i + k) . double2Float
         put 0 x
         put 1 y
@@ -56,8 +62,12 @@ starCatalogue (Seed seed) count = StarCatalogue (U.concat (inParallel (map piece
         put 3 magnitude
         put 4 temperature
       pure numbers
+{-# INLINE catalogueOf #-}
 
-data Star = Star !XYZ !Double !Double
+-- | The random catalogue of the given number of brightest stars under a seed. Takes
+-- 0.2 µs a star.
+starCatalogue :: Seed -> Int -> StarCatalogue
+starCatalogue (Seed seed) count = catalogueOf count (star seed)
 
 -- | One star by its number.
 star :: Word64 -> Int -> Star
@@ -73,8 +83,8 @@ star seed i =
     upper, lower :: Word64 -> Word64
     upper h = h `shiftR` 32
     lower h = h .&. 0xffffffff
-    -- Bright stars are near and know little of the plane: the share of those
-    -- that lie about it grows with the rank, to half.
+    -- Bright stars are near and hardly concentrated towards the plane: the share of
+    -- stars that are grows with the rank, up to half.
     inPlane = 0.5 * fromIntegral i / (fromIntegral i + 2000)
     u = uniform 0 lower
     height
@@ -91,7 +101,7 @@ exponentialHeight u = negate (scaleHeight * log (1 - u * (1 - exp (-1 / scaleHei
   where
     scaleHeight = 0.16
 
--- | The magnitude above which there are so many stars in the whole sky:
+-- | The magnitude up to which the whole sky has this number of stars:
 -- log₁₀ N = 0.5 m + 0.704, and below magnitude 2 the law 0.6 m + 0.504 of an
 -- even distribution in space. It has 50 stars up to 2 and 9000 up to 6.5, as
 -- our sky does (Allen's Astrophysical Quantities, §"star counts").
@@ -134,8 +144,8 @@ number :: StarCatalogue -> Int -> Int -> Double
 number (StarCatalogue numbers) i k = float2Double (U.unsafeIndex numbers (starNumbers * i + k))
 {-# INLINE number #-}
 
--- | Where a star stands (unit length to single precision). For this and the
--- following, the star's number must be from 0 to below 'starCount'.
+-- | A star's direction (unit length to single precision). Here and in the following,
+-- the star's number must be at least 0 and less than 'starCount'.
 starDirection :: StarCatalogue -> Int -> XYZ
 starDirection stars i = XYZ (number stars i 0) (number stars i 1) (number stars i 2)
 {-# INLINE starDirection #-}

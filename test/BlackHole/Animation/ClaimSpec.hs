@@ -49,11 +49,21 @@ spec = do
     takeClaim (folder (start "17" 0) 60) "a" `shouldReturn` Claimed Nothing
     takeClaim (folder (start "18" 1) 60) "a" `shouldReturn` HeldBy (Just (start "17" 0))
     takeClaim (folder (start "17" 1) 60) "a" `shouldReturn` Claimed (Just (start "17" 0))
+    -- Two processes of one start of a job work side by side.
+    let beside = (start "17" 1) {holderHost = "host9"}
+    takeClaim (folder beside 60) "a" `shouldReturn` HeldBy (Just (start "17" 1))
+    takeClaim (folder (start "17" 0) 60) "a" `shouldReturn` HeldBy (Just (start "17" 1))
   it "is taken from another machine only when it has not been touched for a while" . inFolder $ \folder -> do
     takeClaim (folder (elsewhere 1) 60) "a" `shouldReturn` Claimed Nothing
     age 50 (claimFile (folder (elsewhere 1) 60) "a")
     takeClaim (folder (elsewhere 2) 60) "a" `shouldReturn` HeldBy (Just (elsewhere 1))
     age 20 (claimFile (folder (elsewhere 1) 60) "a")
+    takeClaim (folder (elsewhere 2) 60) "a" `shouldReturn` Claimed (Just (elsewhere 1))
+  it "is taken from another machine when it is dated in the future" . inFolder $ \folder -> do
+    takeClaim (folder (elsewhere 1) 60) "a" `shouldReturn` Claimed Nothing
+    age (-30) (claimFile (folder (elsewhere 1) 60) "a")
+    takeClaim (folder (elsewhere 2) 60) "a" `shouldReturn` HeldBy (Just (elsewhere 1))
+    age (-2000000000) (claimFile (folder (elsewhere 1) 60) "a")
     takeClaim (folder (elsewhere 2) 60) "a" `shouldReturn` Claimed (Just (elsewhere 1))
   it "is kept by touching it" . inFolder $ \folder -> do
     let mine = folder (elsewhere 1) 0.5

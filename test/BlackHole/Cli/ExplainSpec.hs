@@ -7,6 +7,7 @@ import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Validate (renderProblem)
 import BlackHole.Trace.Explain
+import BlackHole.Trace.Pixel (tracer)
 import Data.Foldable (for_)
 import Data.List (isInfixOf)
 import Test.Hspec
@@ -55,4 +56,4 @@ spec = do
   where
     explained scene x y =
       let small = scene {scenePicture = Picture 16 9}
-       in maybe "" (unlines . explanationLines small) (explainPixel small x y)
+       in maybe "" (unlines . explanationLines small) (tracer small >>= \traced -> explainPixel traced x y)

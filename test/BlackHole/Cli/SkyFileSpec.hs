@@ -31,14 +31,14 @@ spec = do
     fmap neededPicture (resolveScene (SceneOptions (Just "a/b.yaml") Nothing [Setting "sky.kind" (FileValue "z.png")]) (Just yaml)) `shouldBe` Right (Just "z.png")
     fmap (fmap neededPicture) (resolveLabel (SceneOptions Nothing Nothing []) "a/b.png" yaml) `shouldBe` Right (Just "it's.png" :| [])
   it "keeps the turn when another file takes the place, and needs no file for checks" $ do
-    let made file = applySettings [Setting "sky.kind" (FileValue file), Setting "sky.panorama.rotation" (NumberValue 30)]
+    let made file = applySettings [Setting "sky.kind" (FileValue file), Setting "sky.rotation" (NumberValue 30)]
     sceneSky (applySettings [Setting "sky.kind" (FileValue "b.png")] (made "a.png" defaultScene)) `shouldBe` sceneSky (made "b.png" defaultScene)
     neededPicture (made "a.png" defaultScene) {sceneDebugTextures = True} `shouldBe` Nothing
   it "takes a word for a slip, and what has a folder or an extension for a file" $ do
     scene ["kind: satrs"] `shouldSatisfy` either (any ("did you mean stars?" `isInfixOf`)) (const False)
     scene ["kind: \"a\\nb.png\""] `shouldSatisfy` either (const True) (const False)
     fmap neededPicture (scene ["kind: ./stars"]) `shouldBe` Right (Just "./stars")
-    fmap sceneSky (scene ["kind: STARS"]) `shouldBe` Right (SkyStars defaultPointStars)
+    fmap sceneSky (scene ["kind: STARS"]) `shouldBe` Right (SkyStars realSky)
   it "renders it, again from its own picture, in tiles, and explains it" . inFolder $ \folder -> do
     run (picture folder "whole.png") `shouldReturn` ExitSuccess
     run ["render", "--from", folder </> "whole.png", "-o", folder </> "again.png"] `shouldReturn` ExitSuccess

@@ -40,7 +40,7 @@ spec = do
       _ -> expectationFailure "a panorama needs the beam"
   where
     -- Made once, for all the properties' cases.
-    shaders = [(sky, shown 7 sky) | sky <- [SkyNoise reportStars, SkyNoise defaultStars, SkyStars defaultPointStars, SkyGrid, SkyUniform 0.4, SkyNone]]
+    shaders = [(sky, shown 7 sky) | sky <- [SkyNoise reportStars, SkyNoise defaultStars, SkyStars realSky, SkyRandomStars defaultPointStars, SkyGrid, SkyUniform 0.4, SkyNone]]
     shown :: Word64 -> Sky -> Double -> XYZ -> Radiance
     shown seed sky = case skyShader Nothing seed sky of
       Just (ByDirection shader) -> shader

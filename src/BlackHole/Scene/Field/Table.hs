@@ -21,7 +21,7 @@ import BlackHole.Scene.Field.Kind
 import BlackHole.Scene.Filter (Filter (..), filterName)
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Shifts (Shifts (..))
-import BlackHole.Scene.Sky (Panorama (..), PointStars (..), Sky (..), Stars (..), defaultPointStars, defaultStars, panoramaOf)
+import BlackHole.Scene.Sky (Panorama (..), PointStars (..), RealSky (..), Sky (..), Stars (..), defaultPointStars, defaultStars, panoramaOf, realSky)
 import BlackHole.Vector.XYZ (XYZ (..))
 import Data.List (find, intercalate)
 import Data.Maybe (isJust)
@@ -30,9 +30,13 @@ import Data.Maybe (isJust)
 maximumPictureSide :: Int
 maximumPictureSide = 65536
 
--- | A field by its path.
+-- | A field by its path, or by one that it had in earlier versions.
 findField :: String -> Maybe Field
-findField path = find ((== path) . fieldPath) sceneFields
+findField path = find ((== current) . fieldPath) sceneFields
+  where
+    current
+      | path == "sky.panorama.rotation" = "sky.rotation"
+      | otherwise = path
 
 -- | Every setting, in the order in which scene files show them. Settings are
 -- applied in this order, whatever the order in which they were given: a field
@@ -49,13 +53,13 @@ sceneFields =
       `withOption` ("distance", "R"),
     number Camera "camera.inclination" (angle (From 0) (UpTo 180) "degrees from the disk's axis") "Camera's angle from the disk's axis in degrees: 0 above it, 90 in its plane" inclinationPart
       `withOption` ("inclination", "DEGREES"),
-    number Camera "camera.azimuth" (angle Anything Endless "degrees") "Camera's angle around the disk's axis in degrees" azimuthPart
+    number Camera "camera.azimuth" (angle (From (-1e6)) (UpTo 1e6) "degrees") "Camera's angle around the disk's axis in degrees" azimuthPart
       `withOption` ("azimuth", "DEGREES"),
     vector Camera "camera.position" "Camera's place in Schwarzschild radii, instead of the three above; the disk's axis is +y" positionPart
       `withOption` ("camera", "X,Y,Z"),
     vector Camera "camera.look-at" "Point the camera looks at, in Schwarzschild radii, with a position (default: the hole)" lookAtPart
       `withOption` ("look-at", "X,Y,Z"),
-    number Camera "camera.roll" (angle Anything Endless "degrees") "Turn the camera clockwise about its line of sight, in degrees" (camera (part (inDegrees . cameraRoll) (\v c -> c {cameraRoll = Degrees v})))
+    number Camera "camera.roll" (angle (From (-1e6)) (UpTo 1e6) "degrees") "Turn the camera clockwise about its line of sight, in degrees" (camera (part (inDegrees . cameraRoll) (\v c -> c {cameraRoll = Degrees v})))
       `withOption` ("roll", "DEGREES"),
     number Camera "camera.field-of-view" (angle (Above 0) (Below 180) "degrees") "Angle of view across the width, above 0 and below 180 degrees" (camera (part (inDegrees . cameraFieldOfView) (\v c -> c {cameraFieldOfView = Degrees v})))
       `withOption` ("fov", "DEGREES"),
@@ -105,10 +109,12 @@ sceneFields =
     number Disk "disk.turbulence.heat" (Quantity "an exponent" (From 0) (UpTo 2) "") "Exponent of the temperature as a power of the turbulent density, 0 for one temperature in a ring; the mean flux of a ring stays" (disk (part Gas.diskTurbulenceHeat (\v d -> d {Gas.diskTurbulenceHeat = v}))),
     number Disk "disk.haze.density" (Quantity "a density" (From 0) (UpTo 1) "") "Density of a haze above and below the disk over that of dense gas, 0 for none" (disk (part Gas.diskHaze (\v d -> d {Gas.diskHaze = v}))),
     number Disk "disk.haze.height" (Quantity "a ratio" (From 1) (UpTo 100) "") "Thickness of the haze over that of the disk, at least 1" (disk (part Gas.diskHazeHeight (\v d -> d {Gas.diskHazeHeight = v}))),
-    choiceOrFile Sky "sky.kind" "a sky" skies "a panorama" (PanoramaSky, panoramaSkyFile) "What lies behind: stars (points, and the Milky Way), noise (the report's stars), grid, uniform, none, or a panorama (the file of a picture twice as wide as high)" skyKindPart
+    choiceOrFile Sky "sky.kind" "a sky" skies "a panorama" (PanoramaSky, panoramaSkyFile) "What lies behind: stars (the real ones and the Milky Way), random-stars (from the seed), noise (the report's stars), grid, uniform, none, or a panorama (the file of a picture twice as wide as high)" skyKindPart
       `withOption` ("sky", "NAME|FILE"),
-    number Sky "sky.panorama.rotation" (angle Anything Endless "degrees") "Turn of a panorama about the disk's axis in degrees; at 0 its middle is behind the hole for a camera at azimuth 90" (panorama (part (inDegrees . panoramaRotation) (\v p -> p {panoramaRotation = Degrees v})))
+    number Sky "sky.rotation" (angle (From (-1e6)) (UpTo 1e6) "degrees") "Turn of the real stars or of a panorama about the disk's axis in degrees; at 0 a panorama's middle is behind the hole for a camera at azimuth 90" rotationPart
       `withOption` ("sky-rotation", "DEGREES"),
+    number Sky "sky.brightness" (Quantity "a gain" (From 0) (UpTo 1e9) "") "Gain of the real stars and the Milky Way; 1 gives a star of magnitude 0 a flux of 80e-6 radiance times steradians" (realStars (part realSkyBrightness (\v s -> s {realSkyBrightness = v}))),
+    number Sky "sky.milky-way" (Quantity "a gain" (From 0) (UpTo 1e9) "") "Further gain of the real Milky Way alone; 1 is its true ratio to the stars, 0 leaves it out" (realStars (part realSkyMilkyWay (\v s -> s {realSkyMilkyWay = v}))),
     number Sky "sky.panorama.brightness" (Quantity "a radiance" (From 0) (UpTo 1e9) "") "Radiance of a panorama's white; 1 is display white at exposure 0" (panorama (part panoramaBrightness (\v p -> p {panoramaBrightness = v}))),
     number Sky "sky.radiance" (Quantity "a radiance" (From 0) (UpTo 1e9) "") "Radiance of a uniform sky; 1 is display white at exposure 0" radiancePart,
     number Sky "sky.stars.frequency" (Quantity "a number of features" (Above 0) (UpTo 1e6) "per radian") "Features of the stars' noise per radian" (stars (part starFrequency (\v s -> s {starFrequency = v}))),
@@ -117,9 +123,9 @@ sceneFields =
     number Sky "sky.stars.sharpness" (Quantity "a steepness" (Above 0) (UpTo 1e6) "") "Steepness of a star's edge" (stars (part starSharpness (\v s -> s {starSharpness = v}))),
     number Sky "sky.stars.brightness" (Quantity "a radiance" (From 0) (UpTo 1e9) "") "Radiance of the brightest stars; 1 is display white at exposure 0" (stars (part starBrightness (\v s -> s {starBrightness = v}))),
     switch Sky "sky.stars.colours" "Whether stars have the colours of black bodies, or are all white" (stars (part starColours (\v s -> s {starColours = v}))),
-    whole Sky "sky.points.count" (1, 1000000) "" "How many stars of the whole sky stand there singly; the naked eye sees 9000 of ours" (pointStars (part pointStarsCount (\v s -> s {pointStarsCount = v}))),
-    number Sky "sky.points.brightness" (Quantity "a brightness" (From 0) (UpTo 1e9) "") "Flux of a star of magnitude 0: 1 gives a pixel of a milliradian squared the radiance 1" (pointStars (part pointStarsBrightness (\v s -> s {pointStarsBrightness = v}))),
-    number Sky "sky.points.milky-way" (Quantity "a radiance" (From 0) (UpTo 1e9) "") "Radiance of the Milky Way where it is bright, 0 without" (pointStars (part pointStarsMilkyWay (\v s -> s {pointStarsMilkyWay = v}))),
+    whole Sky "sky.points.count" (1, 1000000) "" "Number of random stars in the whole sky; turns the real stars into random ones" (pointStars (part pointStarsCount (\v s -> s {pointStarsCount = v}))),
+    number Sky "sky.points.brightness" (Quantity "a brightness" (From 0) (UpTo 1e9) "") "Flux of a random star of magnitude 0 in 1e-6 radiance times steradians" (pointStars (part pointStarsBrightness (\v s -> s {pointStarsBrightness = v}))),
+    number Sky "sky.points.milky-way" (Quantity "a radiance" (From 0) (UpTo 1e9) "") "Radiance of the random Milky Way where it is bright, 0 without" (pointStars (part pointStarsMilkyWay (\v s -> s {pointStarsMilkyWay = v}))),
     whole Sampling "sampling.samples" (1, 65536) "" "Rays per pixel" (part sceneSamples (\v s -> s {sceneSamples = v}))
       `withOption` ("samples", "N"),
     number Sampling "sampling.noise" (Quantity "a part of white" (From 0) (UpTo 1) "") "Uncertainty of a pixel, as a part of white, beyond which it gets more rays; 0 for never" (part sceneNoise (\v s -> s {sceneNoise = v}))
@@ -162,7 +168,8 @@ sceneFields =
       ]
     profiles = [(ConstantThickness, "constant", "the same everywhere"), (ConstantOpening, "opening", "in proportion to the distance")]
     skies =
-      [ (StarSky, "stars", "point stars before the Milky Way"),
+      [ (StarSky, "stars", "the real stars and the Milky Way"),
+        (RandomStarSky, "random-stars", "point stars from the seed, before a band like the Milky Way"),
         (NoiseSky, "noise", "stars cut out of noise, as the report has them"),
         (GridSky, "grid", "fields of 10 degrees"),
         (UniformSky, "uniform", "the same light everywhere"),
@@ -266,7 +273,7 @@ temperaturePart = disk (Part (temperature . Gas.diskColour) (\v d -> d {Gas.disk
     temperature _ = Nothing
 
 -- | The kinds of sky without what belongs to them.
-data SkyKind = NoiseSky | StarSky | PanoramaSky !FilePath | GridSky | UniformSky | NoSky
+data SkyKind = NoiseSky | StarSky | RandomStarSky | PanoramaSky !FilePath | GridSky | UniformSky | NoSky
   deriving (Eq)
 
 -- Choosing the kind that is there already leaves its settings alone, and so does
@@ -279,7 +286,8 @@ skyKindPart = part (skyKind . sceneSky) $ \kind s -> case (kind, sceneSky s) of
   where
     standard kind = case kind of
       NoiseSky -> SkyNoise defaultStars
-      StarSky -> SkyStars defaultPointStars
+      StarSky -> SkyStars realSky
+      RandomStarSky -> SkyRandomStars defaultPointStars
       PanoramaSky file -> SkyPanorama (panoramaOf file)
       GridSky -> SkyGrid
       UniformSky -> SkyUniform 1
@@ -289,6 +297,7 @@ skyKind :: Sky -> SkyKind
 skyKind sky = case sky of
   SkyNoise _ -> NoiseSky
   SkyStars _ -> StarSky
+  SkyRandomStars _ -> RandomStarSky
   SkyPanorama p -> PanoramaSky (panoramaFile p)
   SkyGrid -> GridSky
   SkyUniform _ -> UniformSky
@@ -317,8 +326,29 @@ stars = inside (Part (noise . sceneSky) (\v s -> s {sceneSky = SkyNoise v}))
     noise (SkyNoise v) = Just v
     noise _ = Nothing
 
-pointStars :: Part PointStars a -> Part Scene a
-pointStars = inside (Part (points . sceneSky) (\v s -> s {sceneSky = SkyStars v}))
+realStars :: Part RealSky a -> Part Scene a
+realStars = inside (Part (real . sceneSky) (\v s -> s {sceneSky = SkyStars v}))
   where
-    points (SkyStars v) = Just v
-    points _ = Nothing
+    real (SkyStars v) = Just v
+    real _ = Nothing
+
+rotationPart :: Part Scene Double
+rotationPart = Part (rotation . sceneSky) $ \v s -> case sceneSky s of
+  SkyStars real -> s {sceneSky = SkyStars real {realSkyRotation = Degrees v}}
+  SkyPanorama p -> s {sceneSky = SkyPanorama p {panoramaRotation = Degrees v}}
+  _ -> s
+  where
+    rotation (SkyStars real) = Just (inDegrees (realSkyRotation real))
+    rotation (SkyPanorama p) = Just (inDegrees (panoramaRotation p))
+    rotation _ = Nothing
+
+-- | A part of the random stars. Setting one makes the real stars random: before
+-- there were real ones, @kind: stars@ named these.
+pointStars :: Part PointStars a -> Part Scene a
+pointStars (Part get set) = Part (\scene -> random (sceneSky scene) >>= get) $ \v scene -> case sceneSky scene of
+  SkyRandomStars points -> scene {sceneSky = SkyRandomStars (set v points)}
+  SkyStars _ -> scene {sceneSky = SkyRandomStars (set v defaultPointStars)}
+  _ -> scene
+  where
+    random (SkyRandomStars v) = Just v
+    random _ = Nothing

@@ -87,14 +87,14 @@ level foreign' above node = case node of
       | null above && key `elem` foreign' = mempty
       | (first, _, _) : _ <- [m | (j, m@(_, k, _)) <- zip [0 ..] members, k == key, j < i] =
         wrong line (Problem path ("a second '" ++ shorten key ++ "'") ("possible; the first one is in line " ++ show first))
-      | null above && key == presetKey = leaf line (ChoiceKind "a preset" [(n, "") | n <- presetNames]) value
-      | Just f <- findField path = leaf line (fieldKind f) value
+      | null above && key == presetKey = leaf path line (ChoiceKind "a preset" [(n, "") | n <- presetNames]) value
+      | Just f <- findField path = leaf (fieldPath f) line (fieldKind f) value
       | key `elem` children = level [] (key : above) value
       | otherwise = wrong line (Problem path ("'" ++ shorten key ++ "'") (unknown key))
       where
         path = pathOf (shorten key : above)
-        leaf at kind v = case readNode kind v of
-          Right ok -> ([(at, path, ok)], [])
+        leaf current at kind v = case readNode kind v of
+          Right ok -> ([(at, current, ok)], [])
           Left expected -> wrong (nodeLine v) (Problem path (nodeText v) expected)
     wrong line problem = ([], [(line, problem)])
     unknown key =
