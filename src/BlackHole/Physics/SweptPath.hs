@@ -174,8 +174,8 @@ followSwept space table region phase photon gather = start
       where
         step x = x + (uOuter - expansionValue path x) / expansionSlope path x
 
-    -- A path whose farthest point from the hole's rim of gas lies between the two ends,
-    -- just outside the gas, sends Newton's steps anywhere.
+    -- Where the path turns back just outside the gas there is no such place, and
+    -- Newton's steps lead anywhere.
     within low high t
       | t > low = if t < high then t else high
       | otherwise = low

@@ -41,7 +41,7 @@ describedPresets =
     Preset "report" "the picture of the design report's author, with its gas, stars, observer and leapfrog" reportScene,
     Preset "interstellar" "the look of the film of 2014: a thin bright disk without Doppler shift or redshift" interstellarScene,
     Preset "edge-on" "the disk from within a degree of its plane" (seenFrom 89 40 defaultScene),
-    Preset "face-on" "the disk from above its pole" (seenFrom 8 56 defaultScene),
+    Preset "face-on" "the disk from above its pole" (seenFrom 12 56 defaultScene),
     Preset "luminet" "Luminet's picture of 1979: a thin opaque disk in the light of all wavelengths, without colour" luminetScene,
     Preset "lens-only" "no gas, only the bent sky" defaultScene {sceneDisk = Nothing, sceneExposure = Exposure 2.5},
     Preset "photon-ring" "a close look at the rings of light that has gone round the hole" photonRingScene,
@@ -72,15 +72,14 @@ seenFrom inclination fieldOfView scene =
 interstellarScene :: Scene
 interstellarScene =
   defaultScene
-    { sceneCamera = Camera (Around 44 (Degrees 86) (Degrees 90)) (Degrees (-4)) (Degrees 40),
+    { sceneCamera = Camera (Around 50 (Degrees 86) (Degrees 90)) (Degrees (-4)) (Degrees 40),
       sceneDisk =
         Just
           defaultDisk
             { diskThickness = 0.1,
-              diskBrightness = 1.4,
+              diskBrightness = 1.3,
               diskArms = 0,
               diskTurbulenceFrequency = 18,
-              diskTurbulenceHeat = 0.12,
               diskColour = BlackBody 3200
             },
       sceneShifts = Shifts False False,
@@ -140,7 +139,7 @@ defaultScene =
       sceneStep = 0.1,
       sceneDisk = Just defaultDisk,
       -- A Milky Way that can be seen beside the glowing gas.
-      sceneSky = SkyStars realSky {realSkyMilkyWay = 3},
+      sceneSky = SkyStars realSky {realSkyMilkyWay = 1.2},
       sceneShifts = Shifts True True,
       sceneDebugTextures = False,
       sceneSamples = 4,
