@@ -263,7 +263,7 @@ exitTexts =
     ("3", "The scene is wrong: a value out of its range, a file that can't be read, or a picture too large for the memory."),
     ("4", "The file can't be written."),
     ("5", "A film lacks frames or its film file."),
-    ("130, 143", "Interrupted by Ctrl-C, or ended by SIGTERM.")
+    ("129, 130, 143, 152", "Stopped by a signal: SIGHUP, Ctrl-C, SIGTERM, or the limit on processor time.")
   ]
 
 roff :: String -> String

@@ -2,18 +2,17 @@
 module BlackHole.Cli.Leave (leave) where
 
 import GHC.Environment (getFullArgs)
-import GHC.TopHandler (flushStdHandles)
 import System.Exit (ExitCode, exitWith)
 import System.Posix.Process (exitImmediately)
 
 -- | End the process with an exit code, from its main thread, when all is written and
--- no other thread has anything left to do.
+-- no other thread has anything left to do ("BlackHole.Cli.Console" has flushed what it
+-- could).
 --
 -- The run-time system would wait for its clock's next tick and put its memory in
--- order: 15 ms, a tenth of a quick picture. Only who asked it for something, as
--- statistics or a profile, has it end as it wants, and gets that.
+-- order, which takes 15 ms, a tenth of a quick picture. It does so if its options ask
+-- for statistics or a profile.
 leave :: ExitCode -> IO ()
 leave code = do
-  flushStdHandles
   asked <- elem "+RTS" <$> getFullArgs
   if asked then exitWith code else exitImmediately code

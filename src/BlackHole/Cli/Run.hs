@@ -9,7 +9,7 @@ module BlackHole.Cli.Run
 where
 
 import BlackHole.Animation.Exposure
-import BlackHole.Animation.Film (Film (filmScene, filmShutter), Shutter (shutterOpen))
+import BlackHole.Animation.Film (filmScene, filmShutter, shutterOpen)
 import BlackHole.Animation.FrameName (frameFile, frameNumber, parseFrameName)
 import BlackHole.Cli.Animate
 import BlackHole.Cli.Console hiding (tell)

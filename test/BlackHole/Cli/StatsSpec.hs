@@ -2,12 +2,8 @@ module BlackHole.Cli.StatsSpec (spec) where
 
 import BlackHole.Cli.Memory
 import BlackHole.Cli.Run
-import BlackHole.Scene.Camera (Picture (..))
-import BlackHole.Scene.Preset
-import BlackHole.Scene.Scene
 import qualified Data.ByteString as Bytes
 import Data.List (isInfixOf)
-import Data.Maybe (isJust, isNothing)
 import Support.Json
 import System.Directory (listDirectory)
 import System.Exit (ExitCode (..))
