@@ -1,4 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
+-- Places and patterns are a dozen numbers, which go from caller to callee as they are,
+-- not through the heap.
+{-# OPTIONS_GHC -fmax-worker-args=24 #-}
 
 -- | Noise for thin layers: gradient noise in the plane whose octaves are tilted against
 -- each other in the third dimension.

@@ -1,4 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
+-- Places and patterns are a dozen numbers, which go from caller to callee as they are,
+-- not through the heap.
+{-# OPTIONS_GHC -fmax-worker-args=24 #-}
 
 -- | Where the gas of a disk is: its density at a place and a time.
 --
