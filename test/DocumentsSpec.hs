@@ -2,10 +2,14 @@
 -- pictures), what they name exists, and the numbers they quote are those of the code.
 module DocumentsSpec (spec) where
 
-import BlackHole.Cli.Help (topicNames)
-import BlackHole.Cli.Options (Parsed (..), parseArguments)
+import BlackHole.Cli.Help
+import BlackHole.Cli.Options (Parsed (..), commandHelps, parseArguments)
 import BlackHole.Cli.Run (exitCode)
-import BlackHole.Scene.Preset (presetNames)
+import BlackHole.Cli.SceneOptions (sceneOptions)
+import BlackHole.Scene.Field.Field
+import BlackHole.Scene.Field.Kind (showValue)
+import BlackHole.Scene.Field.Table (sceneFields)
+import BlackHole.Scene.Preset (defaultScene, presetNames)
 import qualified Codec.Picture as Juicy
 import Control.Applicative ((<|>))
 import Control.Monad (filterM, forM_, unless, when)
@@ -40,13 +44,44 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
     length found `shouldSatisfy` (>= 40)
   forM_ documents $ \document ->
     it ("work in " ++ document) $ readFile document >>= allWork . commandLines
-  it "docs/options.md has every option of render in its tables, and no other" $ do
-    text <- readFile "docs/options.md"
-    let table = takeWhile (/= "## `blackhole animate`") (dropWhile (/= "## `blackhole render`") (lines text))
-        options = filter ("--" `isPrefixOf`) . words . map (\c -> if c `elem` "`,()" then ' ' else c)
-        listed = concatMap (options . takeWhile (/= '|') . drop 1) (filter (isPrefixOf "| `") table)
-    sort listed `shouldBe` sort (nub listed)
-    (listed, concatMap options' (lines (helpOf "render"))) `shouldSatisfy` \(a, b) -> sort (nub a) == sort (nub b)
+  describe "docs/options.md" $ do
+    text <- runIO (readFile "docs/options.md")
+    let sectionOf name = takeWhile (not . isPrefixOf "## ") (drop 1 (dropWhile (/= "## `blackhole " ++ name ++ "`") (lines text)))
+        rowsOf name = [map trim (splitCells row) | row <- sectionOf name, "| `" `isPrefixOf` row]
+        -- A bar in a cell is written with a backslash.
+        splitCells row = case break (== '|') (drop 1 row) of
+          (cell, rest) | "\\" `isSuffixOf` cell -> case splitCells rest of
+            next : others -> (cell ++ next) : others
+            [] -> [cell]
+          (_, "") -> []
+          (cell, rest) -> cell : splitCells rest
+        trim = dropWhileEnd isSpace . dropWhile isSpace
+        optionsIn cell = filter ("--" `isPrefixOf`) (words (map (\c -> if c `elem` "`,()" then ' ' else c) cell))
+        sceneNames = concatMap entryNames (parserEntries sceneOptions)
+    forM_ [c | c <- commandHelps, commandName c `notElem` ["help", "scene"], ' ' `notElem` commandName c] $ \c ->
+      it ("lists every option of " ++ commandName c ++ " once, and no other") $ do
+        let listed = concatMap (concatMap optionsIn . take 1) (rowsOf (commandName c))
+            inherited = if commandName c == "animate" then sceneNames else []
+            own = [name | name <- concatMap entryNames (commandEntries c), "--" `isPrefixOf` name, name `notElem` inherited]
+        sort (nub listed) `shouldBe` sort own
+        -- Both forms of --shard stand in one row.
+        sort (filter (/= "--shard") listed) `shouldBe` sort (filter (/= "--shard") own)
+    it "names every command of scene" $
+      mapM_ (\c -> unlines (sectionOf "scene") `shouldSatisfy` isInfixOf ("blackhole " ++ commandName c)) [c | c <- commandHelps, "scene " `isPrefixOf` commandName c]
+    it "has the defaults of the settings" $ do
+      let documented = concat [zip (optionsIn names) (map trim (separated standard)) | [names, _, standard] <- rowsOf "render", standard /= ""]
+          separated cell = case break (== ',') cell of
+            (a, _ : rest) -> a : separated rest
+            (a, []) -> [a]
+          plain = concatMap (\c -> if c == '\8722' then "-" else [c | c /= '`'])
+          true =
+            [ (optionName o, showValue value)
+              | f <- sceneFields,
+                not ("default" `isInfixOf` fieldDoc f),
+                Just o@(Takes _ _) <- [fieldOption f],
+                Just value <- [fieldGet f defaultScene]
+            ]
+      [(name, plain shown) | (name, shown) <- documented, name `elem` map fst true] `shouldMatchList` true
   it "links of the documents lead to files" $ do
     targets <- concat <$> mapM (\document -> map (takeDirectory document </>) . links <$> readFile document) documents
     missing <- filterM (fmap not . doesPathExist) (nub targets)
@@ -101,11 +136,7 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
   it "work in the program's help" $
     allWork (nub (concatMap (commandLines . unlines . mapMaybe shown . filter ("blackhole " `isInfixOf`) . filter (not . isPrefixOf "   ") . lines . helpOf) (topicNames ++ commands)))
   where
-    commands = ["render", "animate", "join", "scene", "photon", "rays", "selftest"]
-    -- The first column of the help is two spaces wide.
-    options' line = case line of
-      ' ' : ' ' : '-' : _ -> filter ("--" `isPrefixOf`) (words (filter (/= ',') (take 24 line)))
-      _ -> []
+    commands = map commandName commandHelps
     optionsIn = filter isOption . words . map (\c -> if isAlpha c || c == '-' then c else ' ')
     isOption word = case word of
       '-' : '-' : c : _ -> isAlpha c
@@ -114,7 +145,7 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
       Just rest | target <- takeWhile (`notElem` "#)") rest, not (null target), not ("http" `isPrefixOf` target) -> target : links rest
       _ -> maybe [] (links . drop 1) (if null text then Nothing else Just text)
     shown line = ("    " ++) <$> (stripPrefix "Example: " line <|> stripPrefix "  " line)
-    helpOf word = case parseArguments "" ["help", word] of
+    helpOf word = case parseArguments "" ("help" : words word) of
       Inform text -> text
       _ -> ""
 
@@ -267,13 +298,15 @@ scaled :: [String] -> [String]
 scaled arguments = case arguments of
   "render" : _
     | "--pixel" `elem` arguments -> arguments
-    | otherwise -> arguments ++ size ++ ["--quiet"]
+    | otherwise -> arguments ++ filter (const (not adaptive)) ["--samples=1"] ++ size ++ ["--quiet"]
   "animate" : _
     | "--status" `elem` arguments -> arguments
-    | otherwise -> arguments ++ size ++ ["--duration", "0.1"]
+    | otherwise -> arguments ++ ["--samples", "1", "--duration", "0.1"] ++ size
   _ -> arguments
   where
-    size = ["--width", "16", "--height", "9", "--samples", "1"]
+    size = ["--width", "16", "--height", "9"]
+    -- With one sample, the options of adaptive sampling would have no effect.
+    adaptive = any (`elem` arguments) ["--noise", "--most-samples"]
 
 -- | The files that a pattern names.
 expanded :: FilePath -> String -> IO [String]

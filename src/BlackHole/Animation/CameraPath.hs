@@ -58,7 +58,7 @@ data Pace
 alongPath :: CameraPath -> Double -> Double -> Scene -> Either String Scene
 alongPath path duration seconds scene = case path of
   Orbit axis turns kind -> case XYZ.normalize axis of
-    Nothing -> Left "the orbit's axis has no direction"
+    Nothing -> Left "the axis has no direction"
     Just unit -> Right (posed (turnPose unit (360 * turns * progress kind) pose))
   Dolly place target kind ->
     let from = posePosition pose
@@ -68,13 +68,13 @@ alongPath path duration seconds scene = case path of
   FreeFall pace
     | Just r <- infallRadius start (properTime pace start) ->
       Right (posed (moveTo r)) {sceneObserver = Falling}
-    | otherwise -> Left ("after " ++ show seconds ++ " s the camera has fallen into the centre")
+    | otherwise -> Left ("after " ++ show seconds ++ " s, the camera has fallen into the centre of the hole")
   CircularOrbit rate
-    | not inPlane -> Left "the camera is not in the disk's plane (camera.inclination 90), where alone the orbiting observer moves along his circle"
+    | not inPlane -> Left "the camera must be in the disk's plane (camera.inclination 90)"
     | Just phase <- orbitalPhase start (rate * seconds) ->
       let Degrees turned = toDegrees (Radians phase)
        in Right (posed (turnPose (XYZ 0 1 0) turned pose)) {sceneObserver = Orbiting}
-    | otherwise -> Left ("there is no circular geodesic at the camera's distance " ++ show start)
+    | otherwise -> Left ("there is no circular orbit at the camera's distance, " ++ show start ++ " Schwarzschild radii")
   where
     camera = sceneCamera scene
     pose = cameraPose camera

@@ -19,7 +19,7 @@ import BlackHole.Animation.FrameName
 import BlackHole.Animation.Ledger
 import BlackHole.Animation.Progress
 import BlackHole.Animation.Queue
-import BlackHole.Animation.Video (VideoKind)
+import BlackHole.Animation.Video (VideoCoding)
 import qualified BlackHole.Render.Film as Light
 import BlackHole.Render.Workers (Workers)
 import BlackHole.Scene.Scene
@@ -46,7 +46,7 @@ data Shooting = Shooting
     shootingPatience :: !Double,
     shootingWorkers :: !Workers,
     -- | The film file with the program that codes it.
-    shootingVideo :: !(Maybe (FilePath, VideoKind, FilePath)),
+    shootingVideo :: !(Maybe (FilePath, VideoCoding, FilePath)),
     -- | The picture of the sky if that of the film is a panorama.
     shootingSky :: !(Maybe SkyImage),
     -- | A text that is equal for equal scenes and skies, and says which program this is.

@@ -88,9 +88,9 @@ memoryProblem making scene rows = judge <$> availableMemory
     judge (Just there)
       | needed > there =
         Just $
-          "a picture of " ++ show width ++ " x " ++ show rows ++ " pixels needs " ++ mebibytes needed ++ " of memory, and there are "
+          "a picture of " ++ show width ++ " x " ++ show rows ++ " pixels needs " ++ mebibytes needed ++ " of memory, but only "
             ++ mebibytes there
-            ++ "; make it smaller"
+            ++ " are available; make it smaller"
             ++ case makingProduct making of
               WholePicture _ -> ", or render it in tiles (--tile I/N)"
               Tile -> ", or divide the picture into more tiles"

@@ -37,15 +37,15 @@ data Preset = Preset
 -- | All of them, the default first.
 describedPresets :: [Preset]
 describedPresets =
-  [ Preset "default" "a wide disk of glowing gas, seen from above its plane by an observer at rest" defaultScene,
-    Preset "report" "the picture of the design report's author, with its gas, stars, observer and leapfrog" reportScene,
-    Preset "interstellar" "the look of the film of 2014: a thin bright disk without Doppler shift or redshift" interstellarScene,
-    Preset "edge-on" "the disk from within a degree of its plane" (seenFrom 89 40 defaultScene),
-    Preset "face-on" "the disk from above its pole" (seenFrom 12 56 defaultScene),
-    Preset "luminet" "Luminet's picture of 1979: a thin opaque disk in the light of all wavelengths, without colour" luminetScene,
-    Preset "lens-only" "no gas, only the bent sky" defaultScene {sceneDisk = Nothing, sceneExposure = Exposure 2.5},
-    Preset "photon-ring" "a close look at the rings of light that has gone round the hole" photonRingScene,
-    Preset "falling" "the view of an observer who falls in and has reached r = 2.6" fallingScene
+  [ Preset "default" "a wide disk of glowing gas, seen by an observer at rest above its plane" defaultScene,
+    Preset "report" "the picture of the design report, with its observer, gas, stars and leapfrog integration" reportScene,
+    Preset "interstellar" "the look of the film Interstellar (2014): a thin bright disk without Doppler shift or redshift" interstellarScene,
+    Preset "edge-on" "the disk seen from within a degree of its plane" (seenFrom 89 40 defaultScene),
+    Preset "face-on" "the disk seen from near its pole" (seenFrom 12 56 defaultScene),
+    Preset "luminet" "Luminet's picture of 1979: a thin opaque disk, its intensity over all wavelengths, without colour" luminetScene,
+    Preset "lens-only" "no disk, only the sky distorted by the hole" defaultScene {sceneDisk = Nothing, sceneExposure = Exposure 2.5},
+    Preset "photon-ring" "a close-up of the rings formed by light that has gone around the hole" photonRingScene,
+    Preset "falling" "the view of an observer falling into the hole, at r = 2.6" fallingScene
   ]
 
 -- | The names, the default first.

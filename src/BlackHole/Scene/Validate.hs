@@ -1,7 +1,9 @@
--- | Every rule a scene must obey, checked at once: the ranges of the single
--- fields, and what they may be together.
+-- | All rules for a valid scene: the ranges of single settings, and the rules between
+-- settings.
 module BlackHole.Scene.Validate
   ( Problem (..),
+    problemOption,
+    problemValue,
     renderProblem,
     validateScene,
     Fault (..),
@@ -22,30 +24,31 @@ import BlackHole.Scene.Problem
 import BlackHole.Scene.Scene
 import qualified BlackHole.Vector.XYZ as XYZ
 
--- | A field whose value is not allowed, with what is.
+-- | A setting whose value is not allowed.
 data Fault = Fault
-  { -- | The field's path.
+  { -- | The setting's path.
     faultPath :: !String,
     faultValue :: !Value,
+    -- | What is allowed, as a noun phrase.
     faultRange :: !String
   }
   deriving (Eq, Show)
 
--- | All problems of a scene, named by its options where there are any; none
--- means that it can be rendered.
+-- | All problems of a scene, named by options where the settings have one. A scene
+-- without problems can be rendered.
 validateScene :: Scene -> [Problem]
 validateScene = map problem . sceneFaults
   where
     problem (Fault path value range) =
       Problem (maybe path fieldLabel (findField path)) (showValue value) range
 
--- | All faults of a scene, in the order of the table.
+-- | All faults of a scene, in the order of the table of settings.
 sceneFaults :: Scene -> [Fault]
 sceneFaults scene =
   faults ++ posture
   where
     faults = concatMap fieldFaults sceneFields
-    -- A field that is out of its own range breaks no other rule.
+    -- A value out of its own range would only cause misleading faults of other rules.
     fieldFaults field = case rangeFaultsOf scene field of
       [] -> [fault | fault <- crossFaults scene, faultPath fault == fieldPath field]
       found -> found
@@ -54,7 +57,7 @@ sceneFaults scene =
       | otherwise = sightFaults scene
     poseFields = ["camera.distance", "camera.inclination", "camera.azimuth", "camera.position", "camera.look-at", "camera.roll"]
 
--- | The faults that a field has by itself.
+-- | The values outside the range of their own setting.
 rangeFaults :: Scene -> [Fault]
 rangeFaults scene = concatMap (rangeFaultsOf scene) sceneFields
 
@@ -65,7 +68,7 @@ rangeFaultsOf scene field =
       Just range <- [rangeFault (fieldKind field) value]
   ]
 
--- | The rules between fields.
+-- | The rules between settings.
 crossFaults :: Scene -> [Fault]
 crossFaults scene = pose ++ foldMap edges (sceneDisk scene)
   where
@@ -83,15 +86,15 @@ crossFaults scene = pose ++ foldMap edges (sceneDisk scene)
         ++ observerName (sceneObserver scene)
         ++ " observer)"
     edges disk =
-      [ Fault "disk.inner-radius" (NumberValue (diskInnerRadius disk)) "a radius from 0 to below the outer radius (Schwarzschild radii)"
+      [ Fault "disk.inner" (NumberValue (diskInnerRadius disk)) ("a radius from 0 to below the outer radius, which is " ++ showNumber (diskOuterRadius disk) ++ " (Schwarzschild radii)")
         | diskInnerRadius disk >= diskOuterRadius disk
       ]
 
--- | A camera that looks nowhere.
+-- | A camera without a direction of sight, or whose up direction is undefined.
 sightFaults :: Scene -> [Fault]
 sightFaults scene = case (cameraFrame camera, cameraPose camera) of
   (Nothing, LookAt _ target) ->
-    [ Fault "camera.look-at" (VectorValue target) "a point off the camera's own place and off the vertical (+y) through it, its up vector"
+    [ Fault "camera.look-at" (VectorValue target) "a point other than the camera's position and not straight above or below it (along y, the up direction)"
     ]
   _ -> []
   where

@@ -3,7 +3,7 @@ module BlackHole.Animation.ClaimSpec (spec) where
 import BlackHole.Animation.Claim
 import Control.Concurrent (threadDelay)
 import Control.Concurrent.Async (forConcurrently)
-import Control.Monad (forM_)
+import Control.Monad (forM_, when)
 import Data.Time.Clock (addUTCTime)
 import System.Directory
 import System.IO.Temp (withSystemTempDirectory)
@@ -70,7 +70,8 @@ spec = do
     takeClaim mine "a" `shouldReturn` Claimed Nothing
     keepingAlive mine "a" $ do
       age 100 (claimFile mine "a")
-      threadDelay 300000
+      old <- getModificationTime (claimFile mine "a")
+      awaitNewer old (claimFile mine "a")
       takeClaim (folder (elsewhere 2) 60) "a" `shouldReturn` HeldBy (Just (elsewhere 1))
   it "goes to one only of many who find it abandoned at the same time" . inFolder $ \folder ->
     forM_ [1 .. 30 :: Int] $ \n -> do
@@ -95,6 +96,9 @@ spec = do
     elsewhere :: Int -> Holder
     elsewhere n = Holder ("host" ++ show n) "boot" 4711 "1" Nothing
     age seconds path = getModificationTime path >>= setModificationTime path . addUTCTime (negate seconds)
+    awaitNewer old path = do
+      touched <- getModificationTime path
+      when (touched <= old) $ threadDelay 10000 >> awaitNewer old path
     deadProcess = do
       (_, _, _, process) <- createProcess (proc "true" [])
       pid <- getPid process

@@ -5,7 +5,6 @@ module BlackHole.Cli.BadInputSpec (spec) where
 import BlackHole.Cli.Help (Entry (..), parserEntries)
 import BlackHole.Cli.Join (openTiles)
 import BlackHole.Cli.Options
-import BlackHole.Cli.Run (run)
 import BlackHole.Cli.SceneOptions
 import BlackHole.Image.Coding
 import BlackHole.Image.File
@@ -29,6 +28,7 @@ import qualified Data.ByteString.Char8 as Characters
 import qualified Data.ByteString.Lazy as Lazy
 import Data.List (intercalate)
 import qualified Data.Vector.Storable as Vector
+import Support.Program (quietly)
 import System.Exit (ExitCode (..))
 import System.FilePath ((</>))
 import System.IO.Temp (withSystemTempDirectory)
@@ -68,7 +68,7 @@ spec = do
   it "answers damaged pictures of every format, and damaged tiles" $
     withSystemTempDirectory "blackhole-spec" $ \folder ->
       forM_ ["a.png", "a.jpg", "a.tif", "a.hdr", "a.exr", "a.tile"] $ \name -> do
-        run (["render", "--width", "16", "--samples", "1", "--no-disk", "--integrator", "exact", "-o", folder </> name] ++ ["--tile=1/1" | name == "a.tile"])
+        quietly (["render", "--width", "16", "--samples", "1", "--no-disk", "--integrator", "exact", "-o", folder </> name] ++ ["--tile=1/1" | name == "a.tile"])
           `shouldReturn` ExitSuccess
         bytes <- Bytes.readFile (folder </> name)
         forM_ [1 .. 100 :: Int] $ \_ -> do

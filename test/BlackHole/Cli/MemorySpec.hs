@@ -68,7 +68,7 @@ peakOf program folder arguments =
           now <- maybe (pure Nothing) highWater pid
           ended <- getProcessExitCode process
           case ended of
-            Just code -> peak <$ ((arguments, code) `shouldBe` (arguments, ExitSuccess))
+            Just code -> ((arguments, code) `shouldBe` (arguments, ExitSuccess)) >> pure peak
             Nothing -> threadDelay 2000 >> watch (max peak now)
     watch Nothing
   where

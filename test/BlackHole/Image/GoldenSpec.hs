@@ -26,7 +26,7 @@ spec = do
   -- Later, with both patterns of turbulence in the disk and the arms turned.
   golden "later" small {sceneDisk = Just defaultDisk {diskTime = 14}, sceneSky = SkyNone}
   golden "later-report" (sized reportScene) {sceneDisk = Just reportDisk {diskTime = 9, diskTurbulence = 1}}
-  golden "point-stars" small {sceneDisk = Nothing, sceneSky = SkyStars defaultPointStars {pointStarsMilkyWay = 0.3}}
+  golden "point-stars" small {sceneDisk = Nothing, sceneSky = SkyRandomStars defaultPointStars {pointStarsMilkyWay = 0.3}}
   where
     small = sized defaultScene
     sized scene = scene {scenePicture = Picture 160 90, sceneSamples = 1}

@@ -1,3 +1,5 @@
+{-# LANGUAGE LambdaCase #-}
+
 module BlackHole.Trace.StarFieldSpec (spec) where
 
 import BlackHole.Light.Radiance
@@ -51,7 +53,7 @@ spec = do
   it "looks for stars no farther away than the kernel reaches" $
     -- A larger window costs time and shows in no picture.
     forM_ [1e-4, 0.003, 0.02] $ \width ->
-      starWindows (Beam (XYZ 0 0 1) (XYZ width 0 0) (XYZ 0 (0.5 * width) 0)) `shouldSatisfy` \windows -> case windows of
+      starWindows (Beam (XYZ 0 0 1) (XYZ width 0 0) (XYZ 0 (0.5 * width) 0)) `shouldSatisfy` \case
         [Window 4 u0 u1 v0 v1] ->
           and [edge >= 1 && edge < 1.06 | (end, half) <- [(-u0, width), (u1, width), (-v0, 0.5 * width), (v1, 0.5 * width)], let edge = end / (kernelRadius * half)]
         _ -> False
