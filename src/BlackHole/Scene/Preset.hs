@@ -129,9 +129,9 @@ defaultScene =
     { scenePicture = Picture 1920 1080,
       sceneCamera =
         Camera
-          { cameraPose = Around 50 (Degrees 77) (Degrees 90),
+          { cameraPose = Around 54 (Degrees 77) (Degrees 90),
             cameraRoll = Degrees (-8),
-            cameraFieldOfView = Degrees 38
+            cameraFieldOfView = Degrees 40
           },
       sceneObserver = Static,
       sceneSpacetime = Schwarzschild,
