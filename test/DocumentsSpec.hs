@@ -3,7 +3,7 @@
 module DocumentsSpec (spec) where
 
 import BlackHole.Cli.Help
-import BlackHole.Cli.Options (Parsed (..), commandHelps, parseArguments)
+import BlackHole.Cli.Options (Parsed (..), commandHelps, formerOptions, parseArguments)
 import BlackHole.Cli.Run (exitCode)
 import BlackHole.Cli.SceneOptions (sceneOptions)
 import BlackHole.Scene.Field.Field
@@ -102,7 +102,7 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
       length named `shouldSatisfy` (> 30)
       filter (not . known . snd) named `shouldBe` []
     it "name options that exist" $ do
-      let options = concatMap (concatMap optionsIn . lines . helpOf) commands ++ ["--help", "--version"] ++ scripts
+      let options = concatMap (concatMap optionsIn . lines . helpOf) commands ++ ["--help", "--version"] ++ map fst formerOptions ++ scripts
           -- Of other programs: script/install and sbatch.
           scripts = ["--prefix", "--uninstall", "--array"]
           named = [(document, option) | (document, code) <- spans, any (`isPrefixOf` code) ["-", "blackhole "], option <- optionsIn code]

@@ -83,7 +83,7 @@ spec = do
     complains "settings that undo each other" "camera:\n  position: [0, 5, 20]\n  distance: 9\n" ["s.yaml:3: camera.distance: 9 has no effect with camera.position 0,5,20"]
     complains "settings of a disk that is not there" "disk:\n  present: off\n  arms: {count: 3}\n" ["s.yaml:3: disk.arms.count: 3 has no effect with disk.present off"]
     complains "settings whose condition does not hold" "physics: {step: 0.05}\n" ["s.yaml:1: physics.step: 0.05 has no effect; it applies only with physics.integrator leapfrog"]
-    complains "settings of another sky" "sky:\n  kind: grid\n  stars: {octaves: 3}\n" ["s.yaml:3: sky.stars.octaves: 3 has no effect with sky.kind grid; it applies only with sky.kind noise"]
+    complains "settings of another sky" "sky:\n  kind: grid\n  stars: {octaves: 3}\n" ["s.yaml:3: sky.stars.octaves: 3 has no effect; it applies only with sky.kind noise"]
     it "but a setting may repeat the preset's value, and a complete scene may have settings without effect" $ do
       parse "physics: {step: 0.1}\n" `shouldBe` Right defaultScene
       let complete = defaultScene {sceneStep = 0.05, sceneSamples = 1}
