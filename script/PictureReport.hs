@@ -69,7 +69,7 @@ line number@(Number name unit value bound) =
 -- side, and the middle of its shadow: left, top, width and height, each as a part
 -- of the picture's.
 nearSide, shadowMiddle :: (Double, Double, Double, Double)
-nearSide = (0.38, 0.60, 0.24, 0.10)
+nearSide = (0.40, 0.552, 0.20, 0.065)
 shadowMiddle = (0.475, 0.42, 0.05, 0.06)
 
 partOf :: Image PixelRGB8 -> (Double, Double, Double, Double) -> Box

@@ -136,11 +136,13 @@ weave (Sheets reals gradients) (Weave filaments bend growth) !count !v (Strand w
             !tiltV = indexPrimArray reals (3 * i + 2)
             !weight = if left >= 1 then amplitude else left * amplitude
             !bent = v + bend * total
-            strand part turns height = part * layer gradients first columns rows (scale * (8 * turns + tiltU * height)) (scale * (bent + tiltV * height))
-            !noise
-              | weight2 < 1e-6 = strand weight1 turns1 height1
-              | weight1 < 1e-6 = strand weight2 turns2 height2
-              | otherwise = strand weight1 turns1 height1 + strand weight2 turns2 height2
+            strand part turns height
+              | part < 1e-6 = 0
+              | otherwise = part * layer gradients first columns rows (scale * (8 * turns + tiltU * height)) (scale * (bent + tiltV * height))
+            {-# INLINE strand #-}
+            !noise1 = strand weight1 turns1 height1
+            !noise2 = strand weight2 turns2 height2
+            !noise = noise1 + noise2
             !part
               | filaments == 0 || i == 0 || left <= 1.5 = noise
               | otherwise = let q = filaments * min 1 (left - 1.5) in noise + q * (crest noise - noise)

@@ -156,7 +156,10 @@ followSwept space table region phase photon gather = start
                     -- continues into the next cell.
                     !limit = if final < leaving || upper < to && final >= t1 then 1 / 0 else final
                     !done = if final < leaving then middle + final else upper
-                 in if far
+                    -- Where the path turns back just outside the gas, Newton's steps
+                    -- find nothing.
+                    missed = u0 < uOuter && slope0 > 0 && expansionValue path begin < 0.98 * uOuter
+                 in if far || missed
                       then cells n lead upper to next state
                       else samples n begin (lead * turn) final limit turn path outward onward done middle to next state
 
@@ -174,8 +177,7 @@ followSwept space table region phase photon gather = start
       where
         step x = x + (uOuter - expansionValue path x) / expansionSlope path x
 
-    -- Where the path turns back just outside the gas there is no such place, and
-    -- Newton's steps lead anywhere.
+    -- Where the path turns back just outside the gas, Newton's steps lead anywhere.
     within low high t
       | t > low = if t < high then t else high
       | otherwise = low
