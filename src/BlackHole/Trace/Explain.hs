@@ -106,9 +106,9 @@ explainPixel traced column row
     Just
       Explanation
         { explainedPixel = (column, row),
-          explainedMiddle = sighting scene traced (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)),
+          explainedMiddle = sighting scene traced Nothing (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)),
           explainedSamples =
-            [ sighting scene traced (samplePlace (samplePoint scene column row index))
+            [ sighting scene traced (pixelSky traced column row) (samplePlace (samplePoint scene column row index))
               | index <- [0 .. estimateCount estimate - 1]
             ],
           explainedRadiance = radiance,
@@ -120,13 +120,13 @@ explainPixel traced column row
     estimate = pixelEstimate traced column row
     radiance = estimatedRadiance estimate
 
-sighting :: Scene -> Tracer -> XY -> Sighting
-sighting scene traced point =
+sighting :: Scene -> Tracer -> Maybe SkyPatch -> XY -> Sighting
+sighting scene traced shared point =
   Sighting
     { sightingPoint = point,
       sightingDirection = tracedDirection traced point,
-      sightingArrival = arrival scene traced point <$> tracedSight traced point,
-      sightingRadiance = sightRadiance traced point
+      sightingArrival = arrival scene traced shared point <$> tracedSight traced point,
+      sightingRadiance = sharingRadiance traced shared point
     }
 
 -- | The gathered light, and the number of segments that contributed to it.
@@ -139,8 +139,8 @@ gatheredAlong :: Tracer -> XY -> SightLine -> (Fate, Int, Int)
 gatheredAlong traced point sight = case counted traced point sight of
   Followed fate (Counted samples _) steps -> (fate, steps, samples)
 
-arrival :: Scene -> Tracer -> XY -> SightLine -> Arrival
-arrival scene traced point sight@(SightLine photon observed) =
+arrival :: Scene -> Tracer -> Maybe SkyPatch -> XY -> SightLine -> Arrival
+arrival scene traced shared point sight@(SightLine photon observed) =
   case counted traced point sight of
     Followed fate (Counted samples (Gathered light transmittance)) steps ->
       Arrival
@@ -152,7 +152,7 @@ arrival scene traced point sight@(SightLine photon observed) =
           arrivalGasSamples = samples,
           arrivalTransmittance = transmittance,
           arrivalGas = light,
-          arrivalSky = tracedSky traced point sight fate
+          arrivalSky = sharedSky traced shared point sight fate
         }
 
 counted :: Tracer -> XY -> SightLine -> Followed Counted

@@ -3,6 +3,7 @@
 module BlackHole.Scene.File.SceneFileSpec (spec) where
 
 import BlackHole.Image.Bytes (strict)
+import BlackHole.Physics.Angle (Degrees (..))
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Disk
 import BlackHole.Scene.Field.Field (Field (..))
@@ -12,6 +13,7 @@ import BlackHole.Scene.Preset
 import BlackHole.Scene.Resolve
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Setting
+import BlackHole.Scene.Sky
 import BlackHole.Scene.Validate (validateScene)
 import Control.Monad (filterM)
 import qualified Data.ByteString as Bytes
@@ -51,6 +53,13 @@ spec = do
   it "starts from a preset and replaces what it names" $
     fmap (\s -> (scenePicture s, diskArms <$> sceneDisk s)) (parse "preset: report\nimage: {width: 640}\ndisk:\n  arms:\n    count: 3\n")
       `shouldBe` Right (Picture 640 360, Just 3)
+  it "still shows random stars where an earlier version made them, and knows the earlier name of the turn" $ do
+    fmap sceneSky (parse "sky: {kind: stars, points: {count: 500, brightness: 80, milky-way: 0.07}}")
+      `shouldBe` Right (SkyRandomStars defaultPointStars {pointStarsCount = 500})
+    fmap sceneSky (parse "preset: report\nsky: {kind: stars, rotation: 20}")
+      `shouldBe` Right (SkyStars realSky {realSkyRotation = Degrees 20})
+    fmap sceneSky (parse "sky: {kind: a/b.png, panorama: {rotation: 20}}")
+      `shouldBe` Right (SkyPanorama (panoramaOf "a/b.png") {panoramaRotation = Degrees 20})
   it "options count more than the file" $
     fmap sceneSamples (resolveRequest (Request Nothing (Just ("s.yaml", "sampling: {samples: 9}")) "." [s | s <- sceneSettings reportScene, settingPath s == "sampling.samples"]))
       `shouldBe` Right 1
