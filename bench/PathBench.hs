@@ -44,4 +44,4 @@ exactOf region photon =
   followedState (followExact Schwarzschild region photon (\s t -> Onward (s + stretchAffineLength t)) 0)
 
 slab :: Region
-slab = Region 12 0 0.3 0 0.13 0.02
+slab = Region 12 0 0.3 0 0.13 0.02 1

@@ -63,7 +63,7 @@ sheetOf codes = Sheet width (shapeHeight shape) (\x y k -> Vector.unsafeIndex nu
 -- | The film curve applied to each primary separately, as most programs do.
 byChannel :: Radiance -> Radiance
 byChannel light = case toneCurve ToneFilm of
-  Just (ToneCurve _ curve) -> mapRadiance curve light
+  Just (ToneCurve _ _ curve) -> mapRadiance curve light
   Nothing -> light
 
 channelByChannel :: Film -> Sheet

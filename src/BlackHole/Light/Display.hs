@@ -86,7 +86,7 @@ data Signal
 -- over the square root of light, in which they are nearly straight.
 data Developer
   = -- | The factor of the exposure, and the tone map's curve from root to root.
-    Curved !Double !Double (Double -> Double) !(U.Vector Double)
+    Curved !Double !Double !Double (Double -> Double) !(U.Vector Double)
   | -- | The factor alone.
     Fitted !Double
 
@@ -94,9 +94,9 @@ data Developer
 developer :: Exposure -> ToneMap -> Developer
 developer (Exposure stops) tone = case toneCurve tone of
   Nothing -> Fitted factor
-  Just (ToneCurve inset curve) ->
+  Just (ToneCurve inset kept curve) ->
     let root u = sqrt (curve (u * u))
-     in Curved factor inset root (U.generate (curveNodes + 2) (\i -> root (curveReach * fromIntegral i / fromIntegral curveNodes)))
+     in Curved factor inset kept root (U.generate (curveNodes + 2) (\i -> root (curveReach * fromIntegral i / fromIntegral curveNodes)))
   where
     factor = 2 ** stops
 
@@ -106,8 +106,8 @@ developSignal :: Developer -> Radiance -> Signal
 developSignal prepared light = case prepared of
   Fitted factor ->
     let Radiance r g b = fitGamut (scaleRadiance factor light) in coded (sqrt r) (sqrt g) (sqrt b)
-  Curved factor inset root table ->
-    let Radiance r g b = keepingHue inset (tabulated root table) (scaleRadiance factor light) in coded r g b
+  Curved factor inset kept root table ->
+    let Radiance r g b = keepingHue inset kept (tabulated root table) (scaleRadiance factor light) in coded r g b
   where
     coded r g b = Signal (codedRoot r) (codedRoot g) (codedRoot b)
 {-# INLINE developSignal #-}

@@ -3,10 +3,12 @@
 -- A curve for each primary by itself turns hues: the bright parts of an orange
 -- disk become yellow. Here the curve is applied to the strongest and the weakest
 -- primary alone. The one between keeps its place between them, measured in
--- square roots of the light, which are close to equal steps for the eye: over the
--- default picture, film's curve moves the hue of OKLab (Ottosson 2020) by 0.3
--- degrees in the mean square, against 3.9 on each primary by itself, and 0.9 with
--- the place measured in the light, where bright orange turns salmon.
+-- square roots of the light, which are close to equal steps for the eye; measured in
+-- the light itself, bright orange turns salmon.
+--
+-- A curve that flattens towards white also brings the weakest primary closer to the
+-- strongest, which turns amber into beige. Film keeps the ratio of the primaries
+-- instead, and lets it go only close to white, as very bright gas bleaches.
 module BlackHole.Light.ToneMap
   ( ToneMap (..),
     toneMapName,
@@ -50,18 +52,19 @@ toneMapName tone = case tone of
   ToneAgx -> "agx"
 
 -- | A curve from exposed light, 0 or more, to a display's linear light, 0…1,
--- growing and with 0 at 0; and the part of the weakest primary, 0…1, that is first
--- replaced by the light's luminance.
-data ToneCurve = ToneCurve !Double (Double -> Double)
+-- growing and with 0 at 0; the part of the weakest primary, 0 to 1, that is first
+-- replaced by the light's luminance; and how far the ratio of the primaries is kept,
+-- 0 to 1.
+data ToneCurve = ToneCurve !Double !Double (Double -> Double)
 
 -- | The curve of a tone map; 'Nothing' for 'ToneNone'.
 toneCurve :: ToneMap -> Maybe ToneCurve
 toneCurve tone = case tone of
   ToneNone -> Nothing
-  ToneFilm -> Just (ToneCurve crosstalk (\x -> 1 - exp (negate x)))
-  ToneReinhard -> Just (ToneCurve crosstalk (\x -> if isInfinite x then 1 else x / (1 + x)))
-  ToneAces -> Just (ToneCurve crosstalk narkowicz)
-  ToneAgx -> Just (ToneCurve 0.15 agxCurve)
+  ToneFilm -> Just (ToneCurve crosstalk 1 (\x -> 1 - exp (negate x)))
+  ToneReinhard -> Just (ToneCurve crosstalk 0 (\x -> if isInfinite x then 1 else x / (1 + x)))
+  ToneAces -> Just (ToneCurve crosstalk 0 narkowicz)
+  ToneAgx -> Just (ToneCurve 0.15 0 agxCurve)
   where
     -- What each layer of an emulsion, or pixel of a sensor, answers to the
     -- others' colours. Without any, a pure colour would never bleach, however
@@ -74,16 +77,16 @@ toneCurve tone = case tone of
 applyToneMap :: ToneMap -> Radiance -> Radiance
 applyToneMap tone light = case toneCurve tone of
   Nothing -> fitGamut light
-  Just (ToneCurve inset curve) -> mapRadiance square (keepingHue inset (\u -> sqrt (curve (u * u))) light)
+  Just (ToneCurve inset kept curve) -> mapRadiance square (keepingHue inset kept (\u -> sqrt (curve (u * u))) light)
   where
     square u = min 1 (u * u)
 
--- | @keepingHue inset rootCurve light@: the square roots of the three primaries
+-- | @keepingHue inset kept rootCurve light@: the square roots of the three primaries
 -- after a curve that takes roots to roots, without falling anywhere. They lie
 -- within the curve's range but for the last digit. NaN counts as no light, and
 -- beside an infinite primary the result may be NaN.
-keepingHue :: Double -> (Double -> Double) -> Radiance -> Radiance
-keepingHue inset rootCurve light
+keepingHue :: Double -> Double -> (Double -> Double) -> Radiance -> Radiance
+keepingHue inset kept rootCurve light
   | high <= low = grey high'
   | otherwise = Radiance (between r) (between g) (between b)
   where
@@ -91,7 +94,11 @@ keepingHue inset rootCurve light
     high = max r (max g b)
     low = min r (min g b)
     high' = rootCurve high
+    -- The twelfth power of the root: half the light's ratio is kept at 0.9 of white.
     low'
+      | kept > 0 = let h2 = high' * high'; h4 = h2 * h2 in bleached + kept * max 0 (1 - h4 * h4 * h4) * (low * high' / high - bleached)
+      | otherwise = bleached
+    bleached
       | inset > 0 = rootCurve (sqrt ((1 - inset) * (low * low) + inset * luminance (Radiance (r * r) (g * g) (b * b))))
       | otherwise = rootCurve low
     scale = (high' - low') / (high - low)

@@ -1,4 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
+-- Places and patterns are a dozen numbers, which go from caller to callee as they are,
+-- not through the heap.
+{-# OPTIONS_GHC -fmax-worker-args=24 #-}
 
 -- | Noise for thin layers: gradient noise in the plane whose octaves are tilted against
 -- each other in the third dimension.
@@ -8,6 +11,9 @@
 -- of noise in space. The plane is periodic in its first coordinate, which is the angle
 -- around a disk, and repeats in the second one after 'sheetsHeight'.
 --
+-- 'weave' combines the octaves into filaments and eddies, and blends two moving
+-- patterns.
+--
 -- The gradients of all lattice points fit into a few kilobytes, so each is hashed only
 -- once.
 module BlackHole.Noise.Sheets
@@ -16,6 +22,10 @@ module BlackHole.Noise.Sheets
     sheetsHeight,
     sheetsAmplitudes,
     sheetsValue,
+    Weave (..),
+    plainWeave,
+    Strand (..),
+    weave,
   )
 where
 
@@ -76,10 +86,45 @@ sheetsAmplitudes noise = [indexPrimArray reals i | i <- [0, 3 .. sizeofPrimArray
 -- ±2^40. Only the first @count@ octaves contribute; a fractional @count@ weights the
 -- last one by its fraction. Allocates nothing.
 sheetsValue :: Sheets -> Double -> Double -> Double -> Double -> Double
-sheetsValue (Sheets reals gradients) !count !turns !v !height = go 0 count 0 1 0
+sheetsValue noise count turns v height = weave noise plainWeave count v (Strand 1 turns height) (Strand 0 0 0)
+{-# INLINE sheetsValue #-}
+
+-- | What is made of the octaves.
+data Weave = Weave
+  { -- | The part, 0 … 1, that filaments have in the octaves after the first: crests
+    -- along the lines on which an octave is 0, a sixth of a cell wide.
+    weaveFilaments :: {-# UNPACK #-} !Double,
+    -- | How far the sum of the coarser octaves bends each octave along the second
+    -- coordinate, in cells of the coarsest.
+    weaveBend :: {-# UNPACK #-} !Double,
+    -- | How much stronger an octave is per unit of the sum of the coarser ones,
+    -- and how much weaker where it is negative.
+    weaveGrowth :: {-# UNPACK #-} !Double
+  }
+  deriving (Eq, Show)
+
+-- | Nothing: the sum of the octaves as they are.
+plainWeave :: Weave
+plainWeave = Weave 0 0 0
+
+-- | A pattern: its weight, and the angle in turns and the height at which it is
+-- read. The squares of the weights of two patterns should add up to 1, which keeps
+-- the variance of an octave, and with it the look of what is made of it.
+data Strand
+  = Strand
+      {-# UNPACK #-} !Double
+      {-# UNPACK #-} !Double
+      {-# UNPACK #-} !Double
+
+-- | @weave noise how count v strand strand@: the sum of the octaves of two
+-- patterns at a second coordinate, by the rules and within the ranges of
+-- 'sheetsValue'. A pattern without weight costs nothing. An octave's filaments need
+-- the next octave's resolution, and count as that does. Its mean is not 0 except
+-- for 'plainWeave'. Nothing is allocated.
+weave :: Sheets -> Weave -> Double -> Double -> Strand -> Strand -> Double
+weave (Sheets reals gradients) (Weave filaments bend growth) !count !v (Strand weight1 turns1 height1) (Strand weight2 turns2 height2) = go 0 count 0 1 0
   where
     !octaves = sizeofPrimArray reals `quot` 3
-    !u = 8 * turns
     go :: Int -> Double -> Int -> Double -> Double -> Double
     go !i !left !first !scale !total
       | i >= octaves || left <= 0 = total
@@ -90,8 +135,25 @@ sheetsValue (Sheets reals gradients) !count !turns !v !height = go 0 count 0 1 0
             !tiltU = indexPrimArray reals (3 * i + 1)
             !tiltV = indexPrimArray reals (3 * i + 2)
             !weight = if left >= 1 then amplitude else left * amplitude
+            !bent = v + bend * total
+            strand share turns height
+              | share < 1e-6 = 0
+              | otherwise = share * layer gradients first columns rows (scale * (8 * turns + tiltU * height)) (scale * (bent + tiltV * height))
+            {-# INLINE strand #-}
+            !noise1 = strand weight1 turns1 height1
+            !noise2 = strand weight2 turns2 height2
+            !noise = noise1 + noise2
+            !part
+              | filaments == 0 || i == 0 || left <= 1.5 = noise
+              | otherwise = let q = filaments * min 1 (left - 1.5) in noise + q * (crest noise - noise)
          in go (i + 1) (left - 1) (first + 1 `unsafeShiftL` (columns + rows)) (2 * scale) $
-              total + weight * layer gradients first columns rows (scale * (u + tiltU * height)) (scale * (v + tiltV * height))
+              total + weight * max 0 (1 + growth * total) * part
+
+-- | A crest where noise of the variance 0.0962 is 0, of about that noise's mean and
+-- variance.
+crest :: Double -> Double
+crest noise = 1 / (1 + 69 * noise * noise) - 0.38
+{-# INLINE crest #-}
 
 -- | One octave at a position given in its own cells.
 layer :: PrimArray Word8 -> Int -> Int -> Int -> Double -> Double -> Double

@@ -71,13 +71,17 @@ data Region = Region
     -- own step rule.
     regionVerticalStep :: !Double,
     -- | Greatest length of one segment, as a fraction of the distance from the axis.
-    regionLongestStep :: !Double
+    regionLongestStep :: !Double,
+    -- | The fraction of the half height within which 'regionVerticalStep' holds. Further
+    -- from the plane the segments of 'BlackHole.Physics.SweptPath.followSwept' grow in
+    -- proportion to the height.
+    regionCore :: !Double
   }
   deriving (Eq, Show)
 
 -- | The empty region.
 emptyRegion :: Region
-emptyRegion = Region 0 0 (-1) 0 1 1
+emptyRegion = Region 0 0 (-1) 0 1 1 1
 
 -- | The half height at a distance from the axis.
 halfHeightAt :: Region -> Double -> Double

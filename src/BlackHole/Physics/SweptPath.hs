@@ -135,8 +135,8 @@ followSwept space table region phase photon gather = start
                 let -- Where the path enters and leaves the gas's outer radius, if
                     -- within the cell. Newton's steps may end anywhere if the path only just fails to
                     -- reach it.
-                    !begin = if u0 < uOuter && slope0 > 0 then max t0 (min t1 (reaching path t0)) else t0
-                    !leaving = if u1 < uOuter && slope1 < 0 then max begin (min t1 (reaching path t1)) else t1
+                    !begin = if u0 < uOuter && slope0 > 0 then within t0 t1 (reaching path t0) else t0
+                    !leaving = if u1 < uOuter && slope1 < 0 then within begin t1 (reaching path t1) else t1
                     !final = ofOneScale path begin leaving
                     !cosine = cos middle
                     !sine = sin middle
@@ -157,7 +157,10 @@ followSwept space table region phase photon gather = start
                     -- continues into the next cell.
                     !limit = if final < leaving || upper < to && final >= t1 then 1 / 0 else final
                     !done = if final < leaving then middle + final else upper
-                 in if far
+                    -- Where the path turns back just outside the gas, Newton's steps
+                    -- find nothing.
+                    missed = u0 < uOuter && slope0 > 0 && expansionValue path begin < 0.98 * uOuter
+                 in if far || missed
                       then cells n lead upper to next state
                       else samples n begin (lead * turn) final limit turn path outward onward done middle to next state
 
@@ -175,6 +178,11 @@ followSwept space table region phase photon gather = start
       where
         step x = x + (uOuter - expansionValue path x) / expansionSlope path x
 
+    -- Where the path turns back just outside the gas, Newton's steps lead anywhere.
+    within low high t
+      | t > low = if t < high then t else high
+      | otherwise = low
+
     samples !n !t !wanted !final !limit !turn !path !outward0 !onward0 !upper !middle !to !next !state
       | t >= final = cells n 1 (max upper (middle + t)) to next state
       | otherwise =
@@ -188,7 +196,9 @@ followSwept space table region phase photon gather = start
             !outward = c *^ outward0 ^+^ s *^ onward0
             !onward = c *^ onward0 ^-^ s *^ outward0
             !(XYZ _ sineLatitude _) = outward
-            goOn = samples (n + 1) (t + step) turn final limit turn path outward0 onward0 upper middle to next
+            -- Far from the plane the gas varies slowly.
+            !growth = max 1 (min core (abs sineLatitude * core / steepest u))
+            goOn = samples (n + 1) (t + step) (turn * growth) final limit turn path outward0 onward0 upper middle to next
          in if abs sineLatitude > steepest u || u < uOuter || u > uInner
               then goOn state
               else
@@ -209,6 +219,7 @@ followSwept space table region phase photon gather = start
         room = steepest u
     !longest = regionLongestStep region
     !vertical = regionVerticalStep region
+    !core = 1 / regionCore region
 {-# INLINE followSwept #-}
 
 -- | The fate of the path that 'followSwept' follows, if nothing is in the way.

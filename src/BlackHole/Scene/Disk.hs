@@ -47,11 +47,22 @@ data Disk = Disk
     diskTurbulence :: !Double,
     -- | Turbulence features from one radius to @e@ times it.
     diskTurbulenceFrequency :: !Double,
-    -- | Octaves of the turbulence, each twice as fine and 0.6 times as strong.
+    -- | Octaves of the turbulence, each twice as fine.
     diskTurbulenceOctaves :: !Int,
-    -- | How far the noise that displaces the arms bends the turbulence, in
-    -- cells of its coarsest octave.
+    -- | How strong an octave is against the one before.
+    diskTurbulenceGain :: !Double,
+    -- | How far the coarse octaves bend the finer ones, in cells of the coarsest.
     diskTurbulenceWarp :: !Double,
+    -- | The part of filaments in the octaves after the first, 0…1.
+    diskTurbulenceFilaments :: !Double,
+    -- | How much more turbulent dense gas is: 0 for equally everywhere.
+    diskTurbulenceGrowth :: !Double,
+    -- | How much hotter dense gas is: ln of its temperature per ln of its density.
+    diskTurbulenceHeat :: !Double,
+    -- | Density of the haze above the disk over that of dense gas, 0 for none.
+    diskHaze :: !Double,
+    -- | The haze's thickness over the disk's, at least 1.
+    diskHazeHeight :: !Double,
     -- | The time to which the gas has moved, in units of r_s/c.
     diskTime :: !Double,
     -- | How the gas shines.
@@ -99,7 +110,13 @@ reportDisk =
       diskTurbulence = 0,
       diskTurbulenceFrequency = 1,
       diskTurbulenceOctaves = 4,
+      diskTurbulenceGain = 0.6,
       diskTurbulenceWarp = 0,
+      diskTurbulenceFilaments = 0,
+      diskTurbulenceGrowth = 0,
+      diskTurbulenceHeat = 0,
+      diskHaze = 0,
+      diskHazeHeight = 1,
       diskTime = 0,
       diskColour = HueRamp
     }
@@ -110,23 +127,29 @@ defaultDisk =
   Disk
     { diskInnerRadius = 3,
       diskOuterRadius = 16,
-      diskFade = 0.62,
-      diskThickness = 0.35,
+      diskFade = 0.56,
+      diskThickness = 0.16,
       diskProfile = ConstantOpening,
-      diskOpacity = 1.2,
-      diskBrightness = 1.3,
+      diskOpacity = 2.5,
+      diskBrightness = 1,
       diskArms = 2,
-      diskArmWinding = 1.1,
-      diskArmDepth = 0.3,
+      diskArmWinding = 0.9,
+      diskArmDepth = 0.25,
       diskArmNoise = 3,
-      diskArmNoiseFrequency = 0.5,
+      diskArmNoiseFrequency = 0.25,
       diskArmNoiseOctaves = 1,
-      diskTurbulence = 3.2,
+      diskTurbulence = 4.5,
       diskTurbulenceFrequency = 12,
-      diskTurbulenceOctaves = 4,
+      diskTurbulenceOctaves = 6,
+      diskTurbulenceGain = 0.7,
       diskTurbulenceWarp = 1,
+      diskTurbulenceFilaments = 0.6,
+      diskTurbulenceGrowth = 2,
+      diskTurbulenceHeat = 0.21,
+      diskHaze = 0.004,
+      diskHazeHeight = 3,
       diskTime = 0,
-      diskColour = BlackBody 4500
+      diskColour = BlackBody 2100
     }
 
 -- | The thickness at a distance from the axis.
@@ -138,7 +161,8 @@ diskThicknessAt disk rho = case diskProfile disk of
 
 -- | Where there can be gas, and how finely a path through it is to be cut. A
 -- Gaussian is integrated to far below a display's precision by steps of up to 0.8
--- of its width; beyond three widths less than 1.3e-4 of the density is left.
+-- of its width; beyond three widths less than 1.3e-4 of the density is left. Two
+-- widths of the haze are enough, and in it the steps grow.
 diskRegion :: Fineness -> Disk -> Region
 diskRegion fineness disk =
   Region
@@ -147,11 +171,14 @@ diskRegion fineness disk =
       regionInnerRadius = max 0 (diskInnerRadius disk - 1),
       regionHalfHeight = reach constant,
       regionFlare = reach opening / diskOuterRadius disk,
-      regionVerticalStep = vertical / 3,
-      regionLongestStep = longest
+      regionVerticalStep = vertical / widths,
+      regionLongestStep = longest,
+      regionCore = if hazy then min 1 (2 / widths) else 1
     }
   where
-    reach part = 3 * part * diskThickness disk
+    reach part = widths * part * diskThickness disk
+    hazy = diskHaze disk > 0
+    widths = if hazy then max 3 (2 * diskHazeHeight disk) else 3
     (constant, opening) = case diskProfile disk of
       ConstantThickness -> (1, 0)
       ConstantOpening -> (0, 1)

@@ -121,15 +121,21 @@ gatherGas g observed gathered stretch = onward (throughGas g observed gathered s
 -- A call of its own: inlined into the loop that follows a path, it would leave
 -- no register for either. The gas goes in as a pointer, for which 'lazy' stands.
 throughGas :: Gas -> Double -> Gathered -> Stretch -> Gathered
-throughGas prepared !observed !gathered !stretch
-  | dense < faintest = gathered
-  | otherwise = shining (gasExtinction g * exponential dense)
+throughGas prepared !observed !gathered !stretch = case gasAt (gasDensity g) place r extent slant of
+  Here dense heat
+    | dense < thinnest -> gathered
+    | otherwise -> shining (gasExtinction g * dense) heat
   where
     g = lazy prepared
-    !place = stretchMiddle stretch
+    !place@(XYZ px py pz) = stretchMiddle stretch
     !r = XYZ.norm place
-    !dense = logDensity (gasDensity g) place r (stretchLength stretch)
-    shining !opacity = case gasGlow g of
+    !velocity@(XYZ vx vy vz) = stretchVelocity stretch
+    -- Gas is drawn out along its orbits: what counts is how far the stretch goes
+    -- across them, and a tenth of its length.
+    !inward = abs (px * vx + py * vy + pz * vz) / r
+    !extent = stretchAffineLength stretch * (max inward (abs vy) + 0.1 * XYZ.norm velocity)
+    !slant = min 8 (max 1 (0.7 * inward / (abs vy + 1e-9)))
+    shining !opacity !heat = case gasGlow g of
       ByRadius brightness ->
         pass
           (opacity * stretchLength stretch)
@@ -139,7 +145,7 @@ throughGas prepared !observed !gathered !stretch
         | r <= 1 -> gathered
         | otherwise ->
           let !static = sqrt (r / (r - 1))
-              !emitted = gasFrequency place r (stretchVelocity stretch)
+              !emitted = gasFrequency place r velocity
               -- The length of the stretch in the gas's own frame, where its
               -- opacity is meant: ν_em times the affine length. Without the
               -- Doppler shift that gas is thought at rest.
@@ -147,7 +153,8 @@ throughGas prepared !observed !gathered !stretch
               !frequency = if doppler then emitted else static
               !tau = opacity * frequency * stretchAffineLength stretch
               !shift = (if gravity then observed / static else 1) * (if doppler then static / emitted else 1)
-              !temperature = shift * valueAt temperatures (rowAt temperatures r) 0
+              !warmth = if heat == 0 then 1 else exponential heat
+              !temperature = warmth * shift * valueAt temperatures (rowAt temperatures r) 0
               source
                 | temperature < hottest =
                   let row = rowAt table temperature
@@ -155,6 +162,10 @@ throughGas prepared !observed !gathered !stretch
                 | otherwise = glow temperature
            in pass tau source gathered
 {-# NOINLINE throughGas #-}
+
+-- | Less dense gas is left out: 'faintest'.
+thinnest :: Double
+thinnest = 5.5e-4
 
 -- | The report's gas colour between the hole's edge (0) and the disk's (1):
 -- hue 50° to 20°, saturation 0.8, full value, read as a display colour.

@@ -1,12 +1,20 @@
 {-# LANGUAGE BangPatterns #-}
+-- Places and patterns are a dozen numbers, which go from caller to callee as they are,
+-- not through the heap.
+{-# OPTIONS_GHC -fmax-worker-args=24 #-}
 
 -- | Where the gas of a disk is: its density at a place and a time.
 --
 -- The density falls off like a Gaussian with the height, and softly at both
 -- edges. Spiral arms are a wave in the disk's thickness, displaced by noise; they
 -- turn as one, like the density waves of a galaxy. Turbulence is noise in the
--- logarithm of the density, in cells drawn out along the orbit, and bent by the
--- noise that displaces the arms.
+-- logarithm of the density, in cells drawn out along the orbit, with filaments and
+-- with coarse eddies that bend the finer ones. A haze of a few thousandths of the
+-- density reaches higher than the disk.
+--
+-- /Heat./ Dense gas is hotter: ln T varies with the surface density's logarithm.
+-- It is normalised so that the mean of T⁴, the flux of a ring, stays that of the
+-- thin disk without turbulence, whatever octaves are resolved.
 --
 -- /Time./ Gas nearer to the hole is faster, and a pattern that went with it would
 -- be wound up into threads in the end. So each pattern of turbulence lives for one
@@ -16,6 +24,8 @@
 module BlackHole.Trace.GasField
   ( GasField,
     gasField,
+    Here (..),
+    gasAt,
     logDensity,
     faintest,
   )
@@ -25,7 +35,7 @@ import BlackHole.Noise.Lattice (clampedLevel)
 import BlackHole.Noise.Profile (normalised, octaves)
 import BlackHole.Noise.Remembered (Remembered, remember, rememberedPerlin3)
 import BlackHole.Noise.Sheets
-import BlackHole.Numeric.Exponential (sineOfTurns)
+import BlackHole.Numeric.Exponential (exponential, sineOfTurns)
 import BlackHole.Numeric.Floor (turnFraction)
 import BlackHole.Physics.Angle (arcTangent2)
 import BlackHole.Physics.GasMotion (keplerianRate)
@@ -35,6 +45,7 @@ import BlackHole.Trace.Seeds
 import BlackHole.Trace.Tabulated
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
 import qualified BlackHole.Vector.XYZ as XYZ
+import qualified Data.Vector.Unboxed as U
 import Data.Word (Word64)
 import Numeric (log1p)
 
@@ -56,15 +67,25 @@ data GasField = GasField
     fieldDisplacement :: !Remembered,
     fieldTurbulence :: {-# UNPACK #-} !Double,
     fieldFrequency :: {-# UNPACK #-} !Double,
-    fieldWarp :: {-# UNPACK #-} !Double,
+    fieldTrail :: {-# UNPACK #-} !Double,
+    fieldWeave :: !Weave,
+    -- | ln of the relative temperature per ln of the surface density, and what
+    -- the arms' mean takes from it.
+    fieldHeat :: {-# UNPACK #-} !Double,
+    fieldArmHeat :: {-# UNPACK #-} !Double,
+    -- | The haze's density over the disk's in the plane, and its thickness over
+    -- the disk's, squared and inverted.
+    fieldHaze :: {-# UNPACK #-} !Double,
+    fieldHazeNarrowness :: {-# UNPACK #-} !Double,
     fieldSheets :: !Sheets,
     fieldFirst :: !Pattern,
     fieldSecond :: !Pattern,
     -- | By the distance from the hole: ln of the density without noise, ln r,
     -- turns of the gas per unit of time.
     fieldRadial :: !Tabulated,
-    -- | By the length to resolve over r: how many octaves of the turbulence, and
-    -- what the others add to the density's logarithm on the average.
+    -- | By the length to resolve over r: how many octaves of the turbulence, what
+    -- the others add to the density's logarithm on the average, and ln of the mean
+    -- of T⁴ that these make, over 4.
     fieldDetail :: !Tabulated,
     fieldEye :: !XYZ,
     -- | The angle of a pixel, in radians.
@@ -108,12 +129,17 @@ gasField seed disk eye pixel samples =
           (armPlace armScale (XYZ outer top outer)),
       fieldTurbulence = diskTurbulence disk,
       fieldFrequency = diskTurbulenceFrequency disk,
-      fieldWarp = diskTurbulenceWarp disk,
+      fieldTrail = 0.35,
+      fieldWeave = woven,
+      fieldHeat = diskTurbulenceHeat disk,
+      fieldArmHeat = armHeat,
+      fieldHaze = diskHaze disk,
+      fieldHazeNarrowness = (1 / diskHazeHeight disk) ^ (2 :: Int),
       fieldSheets = noise,
       fieldFirst = first,
       fieldSecond = second,
       fieldRadial = tabulate 3 2048 innermost outer $ \r -> [logEdges r, log r, keplerianRate (max 3 r) / (2 * pi)],
-      fieldDetail = tabulate 2 1024 0 1 (detail disk (sheetsAmplitudes noise)),
+      fieldDetail = tabulate 3 1024 0 1 (detail disk moments),
       fieldEye = eye,
       fieldPixel = pixel,
       fieldShare = 1 / sqrt (fromIntegral samples)
@@ -130,7 +156,13 @@ gasField seed disk eye pixel samples =
     armScale = 16 * diskArmNoiseFrequency disk
     -- The arms turn with the gas half way out, by orders of magnitude.
     armTurn = diskTime disk * keplerianRate (max 3 (sqrt (max 1 inner * outer)))
-    noise = sheets (purposeSeed seed GasTurbulence) (diskTurbulenceOctaves disk) 0.6
+    noise = sheets (purposeSeed seed GasTurbulence) (diskTurbulenceOctaves disk) (diskTurbulenceGain disk)
+    woven = Weave (diskTurbulenceFilaments disk) (diskTurbulenceWarp disk) (diskTurbulenceGrowth disk)
+    moments = turbulenceMoments disk noise woven first second
+    -- ln ⟨T⁴⟩ / 4 over the phase of the arms.
+    armHeat
+      | diskTurbulenceHeat disk == 0 || diskArms disk == 0 = 0
+      | otherwise = 0.25 * log (sum [exp (4 * diskTurbulenceHeat disk * armFluctuation (diskArmDepth disk) (sin (2 * pi * fromIntegral k / 256))) | k <- [1 .. 256 :: Int]] / 256)
     (first, second) = patterns (diskTime disk * keplerianRate (max 3 inner) / (2 * pi)) (2 * pi / keplerianRate (max 3 inner))
 
 -- | The two patterns at a time in lives, each life of this length. Their weights
@@ -145,16 +177,39 @@ patterns lives life = (pattern' lives (1 - 2 * abs early) early, pattern' (lives
 
 -- | How many octaves of turbulence a length over r resolves: those whose cells
 -- are longer, and a part of the next. The finer ones are felt by their mean
--- alone; what noise of the variance v does to the mean of its exponential is a
--- factor of e^(v/2).
-detail :: Disk -> [Double] -> Double -> [Double]
-detail disk amplitudes len = [count, 0.5 * variance]
+-- alone.
+detail :: Disk -> [(Double, Double)] -> Double -> [Double]
+detail disk moments len = [count, density full - density count, heat count]
   where
-    count = max 1 (min (fromIntegral (length amplitudes)) (0.75 - logBase 2 (max 1e-9 (diskTurbulenceFrequency disk * len))))
-    variance = sum (zipWith lost [0 ..] amplitudes)
-    lost i amplitude =
-      let weight = max 0 (min 1 (count - i))
-       in 0.0962 * (1 - weight * weight) * (diskTurbulence disk * amplitude) ^ (2 :: Int)
+    full = fromIntegral (diskTurbulenceOctaves disk)
+    count = max 1 (min full (0.4 - logBase 2 (max 1e-9 (diskTurbulenceFrequency disk * len))))
+    density = between fst
+    heat = between snd
+    -- Four values for each octave.
+    between part at = case drop (floor (4 * at) :: Int) moments of
+      low : high : _ -> let t = 4 * at - fromIntegral (floor (4 * at) :: Int) in part low + t * (part high - part low)
+      [end] -> part end
+      [] -> 0
+
+-- | By the number of octaves in steps of a quarter, from none to all: ln of the
+-- mean density that turbulence of so many makes, and ln of the mean of T⁴ over 4.
+-- Both are means over the noise itself, in as many places as it has cells in its
+-- second octave.
+turbulenceMoments :: Disk -> Sheets -> Weave -> Pattern -> Pattern -> [(Double, Double)]
+turbulenceMoments disk noise woven first second =
+  [moments (0.25 * fromIntegral k) | k <- [0 .. 4 * length (sheetsAmplitudes noise)]]
+  where
+    places = 1024 :: Int
+    moments count = (meanOf 1 values, if diskTurbulenceHeat disk == 0 then 0 else 0.25 * meanOf (4 * diskTurbulenceHeat disk) values)
+      where
+        values = U.generate places (\i -> diskTurbulence disk * value count (fromIntegral i))
+    meanOf power values = log (U.sum (U.map (exponential . (power *)) values) / fromIntegral places)
+    -- Evenly spread (the additive recurrence of the plastic number).
+    value count i =
+      let turns = turnFraction (0.7548776662466927 * i)
+          v = sheetsHeight * turnFraction (0.5698402909980532 * i)
+       in weave noise woven count v (strandOf first turns) (strandOf second turns)
+    strandOf (Pattern weight _ shift) turns = Strand weight turns shift
 
 -- | Off the lattice, on which all octaves vanish together: the disk's plane
 -- must not lie in one of its planes.
@@ -167,25 +222,55 @@ armPlace scale place = scale *^ place ^+^ XYZ 5.3 5.3 5.3
 faintest :: Double
 faintest = -7.5
 
--- | @logDensity field place r len@: the natural logarithm of the density over
--- that of dense gas, at a place at the distance r from the hole, as far as a
--- stretch of this length can tell; far below 'faintest' where there is none.
-logDensity :: GasField -> XYZ -> Double -> Double -> Double
-logDensity field place@(XYZ x y z) !r !len
-  | r >= fieldOuter field || profile - plain * plain < faintest = 2 * faintest
+-- | Gas at a place.
+data Here = Here
+  { -- | Its density over that of dense gas.
+    hereDensity :: {-# UNPACK #-} !Double,
+    -- | ln of its temperature over the mean of its ring.
+    hereHeat :: {-# UNPACK #-} !Double
+  }
+  deriving (Eq, Show)
+
+-- | @gasAt field place r len slant@: the gas at a place at the distance r from the
+-- hole, as far as a segment of a path can tell that reaches so far across the
+-- orbits, in a pixel whose footprint on the gas is so many times as long as wide.
+-- No density where there is less than 'faintest'.
+gasAt :: GasField -> XYZ -> Double -> Double -> Double -> Here
+gasAt field place@(XYZ x y z) !r !len !slant
+  | r >= fieldOuter field = Here 0 0
+  | profile - plain * plain < faintest = if fieldHaze field > 0 then Here (hazeAt ()) 0 else Here 0 0
   | otherwise =
     let !azimuth = arcTangent2 x z * (1 / (2 * pi))
         !displaced
-          | fieldArmDepth field == 0 && fieldWarp field == 0 = 0
+          | fieldArmDepth field == 0 = 0
           | otherwise = displacement field place
-        !height = plain / armThickness field r azimuth displaced
-     in profile - height * height + turbulence field place r len azimuth displaced (valueAt (fieldRadial field) row 1) (valueAt (fieldRadial field) row 2)
+        !wave = armWave field r azimuth displaced
+        !height = plain / armThickness field wave
+        !finest = max (fieldShare field * len) (fieldPixel field * slant * XYZ.distance place (fieldEye field)) / r
+        !resolved = rowAt (fieldDetail field) finest
+        !swirl = turbulence field place r (valueAt (fieldDetail field) resolved 0) azimuth (valueAt (fieldRadial field) row 1) (valueAt (fieldRadial field) row 2)
+        !dense = exponential (profile - height * height + swirl + valueAt (fieldDetail field) resolved 1)
+        !heat
+          | fieldHeat field == 0 = 0
+          | otherwise = fieldHeat field * (swirl + armFluctuation (fieldArmDepth field) wave) - valueAt (fieldDetail field) resolved 2 - fieldArmHeat field
+     in if fieldHaze field > 0
+          then let !haze = hazeAt () in Here (dense + haze) (heat * (dense / (dense + haze + 1e-300)))
+          else Here dense heat
   where
     row = rowAt (fieldRadial field) r
     profile = valueAt (fieldRadial field) row 0
     -- The arms only make the disk thinner.
     !plain = y / (fieldThickness field + fieldFlare field * r)
-{-# INLINE logDensity #-}
+    hazeAt () =
+      let !e = profile - plain * plain * fieldHazeNarrowness field
+       in if e < faintest then 0 else fieldHaze field * exponential e
+{-# INLINE gasAt #-}
+
+-- | @logDensity field place r len@: the natural logarithm of the density over
+-- that of dense gas; far below 'faintest' where there is none.
+logDensity :: GasField -> XYZ -> Double -> Double -> Double
+logDensity field place r len = case gasAt field place r len 1 of
+  Here dense _ -> if dense > 0 then log dense else 2 * faintest
 
 -- | The noise that displaces the arms and bends the turbulence, −1 … 1. It turns
 -- with the arms.
@@ -197,35 +282,41 @@ displacement field (XYZ x y z) =
     s = fieldArmSine field
 {-# INLINE displacement #-}
 
--- | The thickness of the disk over that without arms, at most 1. The azimuth is
--- in turns.
-armThickness :: GasField -> Double -> Double -> Double -> Double
-armThickness field r azimuth displaced
+-- | The arms' wave at a place, −1 … 1. The azimuth is in turns.
+armWave :: GasField -> Double -> Double -> Double -> Double
+armWave field r azimuth displaced
+  | fieldArmDepth field == 0 = 0
+  | otherwise =
+    sineOfTurns
+      (fieldArms field * (azimuth - fieldArmTurns field) + (fieldArmWinding field * r + fieldArmNoise field * displaced) * (1 / (2 * pi)))
+{-# INLINE armWave #-}
+
+-- | The thickness of the disk over that without arms, at most 1.
+armThickness :: GasField -> Double -> Double
+armThickness field wave
   | depth == 0 = 1
   | otherwise = 1 - depth + depth * wave * wave * wave
   where
     depth = fieldArmDepth field
-    wave =
-      sineOfTurns
-        (fieldArms field * (azimuth - fieldArmTurns field) + (fieldArmWinding field * r + fieldArmNoise field * displaced) * (1 / (2 * pi)))
 {-# INLINE armThickness #-}
 
--- | What turbulence adds to the logarithm of the density. Gas is drawn out along
--- its orbit, trailing outwards, and looks alike at every radius.
-turbulence :: GasField -> XYZ -> Double -> Double -> Double -> Double -> Double -> Double -> Double
-turbulence field place@(XYZ _ y _) r len azimuth displaced logR !rate
+-- | ln of that thickness over its middle, to first order: what the arms do to the
+-- surface density.
+armFluctuation :: Double -> Double -> Double
+armFluctuation depth wave = depth / (1 - depth) * wave * wave * wave
+{-# INLINE armFluctuation #-}
+
+-- | What turbulence adds to the logarithm of the density, with so many octaves. Gas
+-- is drawn out along its orbit, trailing outwards, and looks alike at every radius.
+turbulence :: GasField -> XYZ -> Double -> Double -> Double -> Double -> Double -> Double
+turbulence field (XYZ _ y _) r count azimuth logR !rate
   | fieldTurbulence field == 0 = 0
-  | otherwise = fieldTurbulence field * (part (fieldFirst field) + part (fieldSecond field)) + valueAt (fieldDetail field) resolved 1
+  | otherwise = fieldTurbulence field * weave (fieldSheets field) (fieldWeave field) count v (strand (fieldFirst field)) (strand (fieldSecond field))
   where
-    finest = max (fieldShare field * len) (fieldPixel field * XYZ.distance place (fieldEye field)) / r
-    !resolved = rowAt (fieldDetail field) finest
-    !count = valueAt (fieldDetail field) resolved 0
-    !v = fieldFrequency field * logR + fieldWarp field * displaced
+    !v = fieldFrequency field * logR
     !height = fieldFrequency field * y / r
-    !turns = azimuth + 0.35 * logR
-    part (Pattern weight age shift)
-      | weight < 1e-6 = 0
-      | otherwise = weight * sheetsValue (fieldSheets field) count (turnFraction (turns - rate * age)) v (height + shift)
+    !turns = azimuth + fieldTrail field * logR
+    strand (Pattern weight age shift) = Strand weight (turnFraction (turns - rate * age)) (height + shift)
 {-# INLINE turbulence #-}
 
 -- | The most lattice points to remember for one noise: 2 MB.

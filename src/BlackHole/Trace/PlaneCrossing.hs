@@ -67,7 +67,7 @@ leapfrogCrossings :: Scene -> Photon -> [Photon]
 leapfrogCrossings scene start =
   reverse (snd (followedState (followLeapfrog (sceneLeapfrog scene) (sceneSpacetime scene) everywhere start gather (start, []))))
   where
-    everywhere = Region (1 / 0) 0 (1 / 0) 0 1 1
+    everywhere = Region (1 / 0) 0 (1 / 0) 0 1 1 1
     gather (before, found) stretch =
       Onward (here, [between y0 y1 before here | y0 * y1 < 0 || (y1 == 0 && y0 /= 0)] ++ found)
       where

@@ -82,4 +82,4 @@ leapfrog l region photon =
   followLeapfrog (Leapfrog (EqualSteps l) 100 100000) Schwarzschild region photon (\s t -> Onward (s + stretchAffineLength t)) 0
 
 slab :: Region
-slab = Region 12 0 1 0 0.004 0.002
+slab = Region 12 0 1 0 0.004 0.002 1

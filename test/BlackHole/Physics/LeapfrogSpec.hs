@@ -118,7 +118,7 @@ fateAfter limit photon =
   followedFate (followLeapfrog defaultLeapfrog {leapfrogStepLimit = limit} Schwarzschild emptyRegion photon (\() _ -> Onward ()) ())
 
 everywhere :: Region
-everywhere = Region 1e9 0 1e9 0 1 1
+everywhere = Region 1e9 0 1e9 0 1 1 1
 
 oneStep :: Double -> Photon -> Photon
 oneStep dt p = leapfrogStep Schwarzschild (XYZ.normSquared (angularMomentum p)) dt p

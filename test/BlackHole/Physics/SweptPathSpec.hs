@@ -58,7 +58,7 @@ spec = do
       prop "gather it from among the gas, along the radius as well" $
         forAll ((,) <$> elements [TableAt r t | (r, t) <- tables, r > 2] <*> inRange (-0.5) 0.5) $ \(TableAt r' table, height) ->
           forAll ((,,) <$> inRange (-0.02) 0.02 <*> inRange (-0.02) 0.02 <*> elements [-1, 1]) $ \(y, z, side) ->
-            let region = fine (Region 20 1.5 0.1 0 1 1)
+            let region = fine (Region 20 1.5 0.1 0 1 1 1)
                 -- The place is at the table's radius.
                 place = (r' / XYZ.norm (XYZ r' (0.1 * height) 0)) *^ XYZ r' (0.1 * height) 0
                 direction = fromMaybe (XYZ 1 0 0) (XYZ.normalize (XYZ side y z))
@@ -91,6 +91,13 @@ spec = do
         [ followedSteps (swept Schwarzschild (slab 2 1e4) photon) `shouldSatisfy` (< 20000)
           | photon <- [Photon (XYZ 5 30 0) (XYZ 0 (-1) 0), Photon (XYZ 30 0.1 5) (XYZ (-1) 0 0), Photon (XYZ 1e3 0.1 5) (XYZ (-1) 0 0)]
         ]
+    it "a path that turns back just outside the gas costs no more than others" $
+      maximum
+        [ followedSteps (swept Schwarzschild (slab 0.5 12) (Photon (XYZ 30 0.2 0) (XYZ (negate (cos angle)) 0 (sin angle))))
+          | k <- [0 .. 400 :: Int],
+            let angle = 0.36 + 0.1 * fromIntegral k / 400
+        ]
+        `shouldSatisfy` (< 20000)
     it "a camera in the plane that looks along it sees all of the gas there" $
       affine (swept Flat (slab 0.5 12) (Photon (XYZ 0 0 40) (fromMaybe XYZ.zero (XYZ.normalize (XYZ 0.06 0 (-1))))))
         `shouldBeWithin` (0.05, 2 * sqrt (144 - (40 * 0.06) * (40 * 0.06) / 1.0036))
@@ -145,7 +152,7 @@ view = do
   (constant, flare) <- elements [(height, 0), (0, height / 3), (height, height / 10)]
   case sightLine space observer place direction of
     Just sight
-      | notCritical space (sightPhoton sight) -> pure (View space table (sightPhoton sight) (fine (Region outer inner constant flare 1 1)))
+      | notCritical space (sightPhoton sight) -> pure (View space table (sightPhoton sight) (fine (Region outer inner constant flare 1 1 1)))
     _ -> view
   where
     nearest Flat _ = 1
@@ -183,7 +190,7 @@ fine :: Region -> Region
 fine region = region {regionVerticalStep = 0.06, regionLongestStep = 0.006}
 
 slab :: Double -> Double -> Region
-slab height outer = fine (Region outer 0 height 0 1 1)
+slab height outer = fine (Region outer 0 height 0 1 1 1)
 
 sameFate :: Followed a -> Followed b -> Property
 sameFate a b = case (followedFate a, followedFate b) of

@@ -30,6 +30,8 @@ settingConditions =
     ("disk.", "disk.present" `is` SwitchValue True),
     ("disk.arms.", above 0 "disk.arms.count"),
     ("disk.turbulence.", above 0 "disk.turbulence.strength"),
+    ("disk.turbulence.heat", Condition "disk.colour" "black-body or bolometric" (/= NameValue "hue-ramp")),
+    ("disk.haze.height", above 0 "disk.haze.density"),
     ("sky.", "diagnostics.debug-textures" `is` SwitchValue False),
     ("sky.rotation", Condition "sky.kind" "stars or FILE" (\v -> v == NameValue "stars" || isFile v)),
     ("sky.brightness", "sky.kind" `is` NameValue "stars"),

@@ -120,7 +120,13 @@ sceneFields =
     number Disk "disk.turbulence.strength" (Quantity "a number" (From 0) (UpTo 100) "") "Strength of the turbulence; 0 for smooth gas" (disk (part Gas.diskTurbulence (\v d -> d {Gas.diskTurbulence = v}))),
     number Disk "disk.turbulence.frequency" (Quantity "a number of features" (From 0) (UpTo 1000) "") "Frequency of the turbulence in features between any radius and e times that radius" (disk (part Gas.diskTurbulenceFrequency (\v d -> d {Gas.diskTurbulenceFrequency = v}))),
     whole Disk "disk.turbulence.octaves" (1, 8) "" "Octaves of the turbulence, each at twice the frequency of the one before" (disk (part Gas.diskTurbulenceOctaves (\v d -> d {Gas.diskTurbulenceOctaves = v}))),
-    number Disk "disk.turbulence.warp" (Quantity "a number of features" (From 0) (UpTo 100) "") "Distortion of the turbulence, in widths of its features" (disk (part Gas.diskTurbulenceWarp (\v d -> d {Gas.diskTurbulenceWarp = v}))),
+    number Disk "disk.turbulence.gain" (Quantity "a fraction" (From 0) (UpTo 1) "") "Strength of each octave relative to the one before, 0 to 1" (disk (part Gas.diskTurbulenceGain (\v d -> d {Gas.diskTurbulenceGain = v}))),
+    number Disk "disk.turbulence.warp" (Quantity "a number of features" (From 0) (UpTo 100) "") "How far the coarse octaves displace the finer ones, in widths of the coarsest features" (disk (part Gas.diskTurbulenceWarp (\v d -> d {Gas.diskTurbulenceWarp = v}))),
+    number Disk "disk.turbulence.filaments" (Quantity "a fraction" (From 0) (UpTo 1) "") "Fraction of bright filaments in the finer octaves, 0 to 1" (disk (part Gas.diskTurbulenceFilaments (\v d -> d {Gas.diskTurbulenceFilaments = v}))),
+    number Disk "disk.turbulence.intermittency" (Quantity "a number" (From 0) (UpTo 100) "") "How much stronger fine turbulence is where the gas is dense; 0 for equally strong everywhere" (disk (part Gas.diskTurbulenceGrowth (\v d -> d {Gas.diskTurbulenceGrowth = v}))),
+    number Disk "disk.turbulence.heat" (Quantity "an exponent" (From 0) (UpTo 2) "") "Exponent of the temperature as a power of the surface density within a ring, whose mean flux stays; 0 for rings of one temperature" (disk (part Gas.diskTurbulenceHeat (\v d -> d {Gas.diskTurbulenceHeat = v}))),
+    number Disk "disk.haze.density" (Quantity "a density" (From 0) (UpTo 1) "") "Density of a haze above and below the disk relative to full density; 0 for none" (disk (part Gas.diskHaze (\v d -> d {Gas.diskHaze = v}))),
+    number Disk "disk.haze.height" (Quantity "a ratio" (From 1) (UpTo 100) "") "Thickness of the haze relative to that of the disk, at least 1" (disk (part Gas.diskHazeHeight (\v d -> d {Gas.diskHazeHeight = v}))),
     choiceOrFile Sky "sky.kind" "a sky" skies "the file of an environment map" (PanoramaSky, panoramaSkyFile) "Background: stars (the real stars and the Milky Way), random-stars (made from the seed), noise (stars made from noise, as in the design report), grid, uniform, none, or the file of an environment map (a picture twice as wide as high)" skyKindPart
       `withOption` ("sky", "NAME|FILE"),
     number Sky "sky.rotation" (angle (From (-1e6)) (UpTo 1e6) "degrees") "Rotation of the real stars or of an environment map about the disk's axis in degrees; at 0 a camera at azimuth 90 sees the map's centre behind the hole" rotationPart
@@ -294,7 +300,7 @@ glowPart = disk (part (glowOf . Gas.diskColour) (\glow d -> d {Gas.diskColour = 
     colourOf RampGlow _ = HueRamp
     colourOf BolometricGlow _ = Bolometric
     colourOf BlackBodyGlow colour@(BlackBody _) = colour
-    colourOf BlackBodyGlow _ = BlackBody 4500
+    colourOf BlackBodyGlow _ = BlackBody 2100
 
 temperaturePart :: Part Scene Double
 temperaturePart = disk (Part (temperature . Gas.diskColour) (\v d -> d {Gas.diskColour = BlackBody v}))
