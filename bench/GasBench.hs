@@ -31,7 +31,7 @@ benchmarks =
           ]
     ]
   where
-    made disk = gas 0 (Shifts True True) disk (XYZ 0 5 30) 1e-3 1
+    made disk = gas Schwarzschild 0 (Shifts True True) disk (XYZ 0 5 30) 1e-3 1
     stretch = Stretch (XYZ 4 0.005 2) (XYZ 0.1 (-0.9) 0.3) 0.01
     transparency (Onward g) = gatheredTransmittance g
     transparency (Hidden g) = gatheredTransmittance g

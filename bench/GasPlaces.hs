@@ -37,7 +37,7 @@ instance NFData Places where
   rnf (Places numbers) = rnf numbers
 
 -- | The first positions, up to this many, at which a picture of 640 × 360 pixels
--- samples gas. Takes every eleventh pixel.
+-- samples gas. Takes every eleventh row and column.
 placesOf :: Int -> Scene -> Places
 placesOf count scene = Places (Vector.fromList (concatMap components (take count found)))
   where

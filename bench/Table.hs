@@ -80,7 +80,7 @@ prices =
   [ ("refined until it is certain to 2 %", ["--noise", "0"], ["--noise", "0.02"]),
     ("bloom", [], ["--bloom", "0.1"]),
     ("16 bits", [], ["--bits", "16"]),
-    ("point stars and the Milky Way", [], ["--sky", "stars"]),
+    ("the real stars and the Milky Way", ["--sky", "none"], []),
     ("Gaussian filter instead of box", ["--filter", "box"], ["--filter", "gaussian"]),
     ("exact orbits without the table", ["--integrator", "table"], ["--integrator", "exact"])
   ]

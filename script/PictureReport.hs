@@ -69,7 +69,7 @@ line number@(Number name unit value bound) =
 -- side, and the middle of its shadow: left, top, width and height, each as a part
 -- of the picture's.
 nearSide, shadowMiddle :: (Double, Double, Double, Double)
-nearSide = (0.38, 0.60, 0.24, 0.10)
+nearSide = (0.40, 0.552, 0.20, 0.065)
 shadowMiddle = (0.475, 0.42, 0.05, 0.06)
 
 partOf :: Image PixelRGB8 -> (Double, Double, Double, Double) -> Box
@@ -165,9 +165,9 @@ blurred sigma w h = alongColumns . alongRows
           | k > min (size - 1) (place + reach) = total / norm
           | otherwise = let weight = weights U.! (k - place + reach) in go (k + 1) (total + weight * value k) (norm + weight)
 
--- | The share of pixels in bands: horizontal runs of 24 equal codes or more of green,
--- neither black nor white, that end in a step of one code on both sides. A dithered
--- gradient has none.
+-- | The share of pixels in bands: horizontal runs of 96 equal codes or more of green,
+-- neither black nor white, between the code below and the code above. A dithered
+-- gradient has hardly any.
 banded :: Image PixelRGB8 -> Double
 banded picture = fromIntegral (sum (map inRow [0 .. imageHeight picture - 1])) / fromIntegral (imageWidth picture * imageHeight picture)
   where
@@ -176,7 +176,7 @@ banded picture = fromIntegral (sum (map inRow [0 .. imageHeight picture - 1])) /
       [] -> []
       c : rest -> let (equal, others) = span (== c) rest in (c, 1 + length equal) : runs others
     bands (before : run@(code, count) : rest@(after : _))
-      | count >= 24 && code > 0 && code < 255 && step before code && step after code = count + bands (run : rest)
+      | count >= 96 && code > 0 && code < 255 && step before code && step after code && fst before /= fst after = count + bands (run : rest)
       | otherwise = bands (run : rest)
     bands _ = 0 :: Int
     step (other, _) code = abs (other - code) == 1

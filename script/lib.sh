@@ -3,24 +3,23 @@
 # little. A command sets $root and reads this file. POSIX sh, and only programs
 # that a minimal Debian has.
 #
-# There are two ways to build.
+# There are three ways to build; prepare takes the first that is possible.
 #   debian  GHC and the libraries are Debian's or Ubuntu's packages, and the
 #           Cabal library that comes with GHC does the rest (Setup.hs). Stack
 #           could do this too, but it is 12 to 14 MB more to download, 65 to
 #           86 MB more on disk, wants a HOME, refuses folders of other users and
 #           compiles everything twice, for static and for shared linking.
-#   stack   Everywhere else: stack.yaml names the compiler and the libraries.
+#   cabal   cabal-install and a GHC that the sources suit, from GHCup or a package
+#           manager. The libraries come from Hackage.
+#   stack   stack.yaml names the compiler and the libraries.
 
 build=$root/.build
 log=$build/log
 ghc=/usr/bin/ghc
 
-# Not every command needs it.
+# What the program is built from; not every command needs it.
 # shellcheck disable=SC2034
-program_packages='ghc libghc-async-dev libghc-conduit-dev
-  libghc-cryptohash-sha256-dev libghc-juicypixels-dev libghc-libyaml-dev
-  libghc-optparse-applicative-dev libghc-primitive-dev libghc-terminal-size-dev
-  libghc-vector-dev'
+program_packages=$(sed -n -E 's/^ (ghc|libghc-[a-z0-9-]+)[ ,].*/\1/p' "$root/debian/control" | tr '\n' ' ')
 test_packages='hspec-discover libghc-hspec-core-dev libghc-hspec-dev
   libghc-quickcheck2-dev libghc-temporary-dev
   libghc-zlib-dev'
@@ -34,6 +33,61 @@ say() {
 fail() {
   say "$*"
   exit 1
+}
+
+# watched COMMAND…: run the command with its output in the log. Meanwhile say what
+# the log's last line says and how long it has been: on a terminal in one line that
+# changes each second, elsewhere in a new line every four seconds. It goes to the
+# descriptor $progress, for a script may keep standard error of its commands.
+progress=2
+watched() {
+  watch & watcher=$!
+  "$@" >>"$log" 2>&1 && outcome=0 || outcome=$?
+  kill "$watcher" 2>/dev/null || :
+  # The shell may announce that the process was killed.
+  wait "$watcher" 2>/dev/null || :
+  ! on_terminal || printf '\r\033[K' >&"$progress"
+  return "$outcome"
+}
+
+on_terminal() {
+  [ -t "$progress" ] && [ "${TERM:-dumb}" != dumb ]
+}
+
+# A process in the background is not reached by Ctrl-C, so this ends when the
+# script does. Only the script itself may hold the lock and, for a second longer,
+# a pipe.
+watch() {
+  exec 9>&- 2>&"$progress"
+  start=$(date +%s) ticks=0
+  while sleep 1 >/dev/null 2>&1 && kill -0 $$ 2>/dev/null; do
+    ticks=$((ticks + 1))
+    now=$(($(date +%s) - start))
+    if on_terminal; then
+      columns=$(stty size <&2 2>/dev/null) || columns='24 80'
+      columns=${columns#* }
+      printf "\r%.$((columns > 1 ? columns - 1 : 79))s\033[K" "blackhole: $now s: $(last_line)" >&2
+    elif [ $((ticks % 4)) = 0 ]; then
+      say "$now s: $(last_line)"
+    fi
+  done
+}
+
+# The last line of the log. apt reports "dlstatus:FILE:PERCENT:TEXT" and
+# "pmstatus:PACKAGE:PERCENT:TEXT"; GHC "[ 37 of 161] Compiling MODULE ( FILE, …"; and
+# script/package has another of these scripts' lines in its log.
+last_line() {
+  tail -c 4000 "$log" | LC_ALL=C tr -cd '\n -~' | awk '
+    /(dl|pm)status:[^:]*:[0-9.]+:/ {
+      sub(/.*(dl|pm)status:[^:]*:/, "")
+      percent = int($0)
+      sub(/^[^:]*:/, "")
+      $0 = $0 ", " percent " %"
+    }
+    { sub(/^blackhole: ([0-9]+ s: )?/, "") }
+    /\[ *[0-9]+ of [0-9]+\] / { sub(/ \(.*/, "") }
+    NF { last = $0 }
+    END { print last ? last : "no output yet" }'
 }
 
 # On a bare machine no locale is set, and GHC's programs then stop at the first
@@ -62,8 +116,8 @@ state() (
     sed -n 2p "$earlier"
   fi
   cd "$root" || exit
-  find "$@" blackhole.cabal stack.yaml -type f \
-    \( -name '*.hs' -o -name '*.bin' -o -name blackhole.cabal -o -name stack.yaml \) \
+  find "$@" blackhole.cabal cabal.project stack.yaml -type f \
+    \( -name '*.hs' -o -name '*.bin' -o -name blackhole.cabal -o -name cabal.project -o -name stack.yaml \) \
     -exec cksum {} + 2>/dev/null | LC_ALL=C sort
 )
 
@@ -122,8 +176,8 @@ can_be_root() {
 }
 
 apt_get() {
-  $as_root env DEBIAN_FRONTEND=noninteractive \
-    apt-get -o DPkg::Lock::Timeout=600 -y "$@" </dev/null >>"$log" 2>&1
+  watched ${as_root:+"$as_root"} env DEBIAN_FRONTEND=noninteractive \
+    apt-get -o DPkg::Lock::Timeout=600 -o APT::Status-Fd=1 -y "$@" </dev/null
 }
 
 # Ubuntu 22.04 and Debian 11 have GHC 8.8, which is too old for the sources.
@@ -132,16 +186,28 @@ apt_has_recent_ghc() {
   dpkg --compare-versions "$version" ge 9.0 2>/dev/null
 }
 
-# prepare LIST: install what is missing of the listed packages, or see that Stack
-# is there. Sets $way to the way to build.
+# The versions that package.yaml admits.
+has_cabal_and_ghc() {
+  command -v cabal >/dev/null && command -v ghc >/dev/null || return 1
+  case $(ghc --numeric-version) in
+    9.[0-9].* | 9.1[0-2].*) ;;
+    *) return 1 ;;
+  esac
+}
+
+# prepare LIST: install what is missing of the listed packages, or find another way
+# to build. Sets $way to it, and $compiler to a command that runs GHC so that it
+# finds the libraries.
+# shellcheck disable=SC2034
 prepare() {
   : >"$log"
-  way=debian missing=
+  way=debian compiler=$ghc missing=
   if command -v apt-get >/dev/null && command -v dpkg-query >/dev/null; then
     missing=$(missing_packages "$1")
     missing=${missing% }
     [ -n "$missing" ] || return 0
     if can_be_root; then
+      say 'asking apt for packages'
       # Without a network, what lies in apt's cache can still be installed.
       apt_get update || :
       if apt_has_recent_ghc; then
@@ -151,24 +217,27 @@ prepare() {
         esac
         # shellcheck disable=SC2086
         apt_get install --no-install-recommends $missing || {
-          tail -n 20 "$log" >&2
+          grep -v -e 'dlstatus:' -e 'pmstatus:' "$log" | tail -n 20 >&2
           fail "apt could not install them; full log: $log"
         }
         return 0
       fi
     fi
   fi
-  way=stack
-  command -v stack >/dev/null && return 0
-  if [ -n "$missing" ]; then
-    say "GHC or its libraries are missing. On Debian 12 or Ubuntu 24.04 or later, as root:
-  apt-get update && apt-get install --no-install-recommends $missing
-Elsewhere, install Stack: https://docs.haskellstack.org. Then run this again."
-  else
-    say "Stack is missing, which fetches GHC and the libraries. Install it from
-  https://docs.haskellstack.org, then run this again."
+  if has_cabal_and_ghc; then
+    way=cabal compiler="cabal exec --builddir=.build/cabal -- ghc"
+    return 0
   fi
-  exit 1
+  if command -v stack >/dev/null; then
+    way=stack compiler='stack ghc --'
+    return 0
+  fi
+  say 'nothing here can build the program.'
+  [ -z "$missing" ] || say "On Debian 12 or Ubuntu 24.04 or later, as root:
+  apt-get update && apt-get install --no-install-recommends $missing"
+  fail 'Install one of these, then run this again:
+  GHC (9.0 to 9.12) and cabal    https://www.haskell.org/ghcup
+  Stack                          https://docs.haskellstack.org'
 }
 
 # install_tool PACKAGE: true if the program of that name is there in the end.
@@ -206,8 +275,8 @@ setup() (
   GHC_ENVIRONMENT=- LC_ALL=C.UTF-8 /usr/bin/runghc script/Setup.hs "$@"
 )
 
-# The two ways to build take the flag dev or nothing, and Cabal's names of what
-# to build. They set $products, the folder in which Cabal puts each of them.
+# The ways to build take the flag dev or nothing, and Cabal's names of what to
+# build, or none for everything. They set $products, the folder in which Cabal puts each of them.
 # Warnings are the same without optimisation, and the dev build is not for use.
 debian_build() {
   objects=.build/main
@@ -239,6 +308,37 @@ debian_build() {
   return "$built"
 }
 
+cabal_build() {
+  objects=.build/cabal
+  options=
+  if [ "$1" = dev ]; then
+    objects=.build/cabal-dev
+    options='-fdev --ghc-options=-O0'
+  fi
+  shift
+  products=$root/$objects/products
+  if [ $# = 0 ]; then
+    options="$options --enable-tests --enable-benchmarks"
+    set -- all
+  fi
+  case " $* " in *' test:'*) options="$options --enable-tests" ;; esac
+  case " $* " in *' bench:'*) options="$options --enable-benchmarks" ;; esac
+  # shellcheck disable=SC2086
+  (
+    use_utf8
+    cd "$root" || exit
+    # It cannot be resolved before Hackage's index is there.
+    cabal build --builddir="$objects" $options --dry-run "$@" || cabal update || exit
+    cabal build --builddir="$objects" $options "$@" || exit
+    for target; do
+      [ "$target" != all ] || continue
+      name=${target#*:}
+      mkdir -p "$products/$name" &&
+        ln -sf "$(cabal list-bin --builddir="$objects" $options "$target")" "$products/$name/$name" || exit
+    done
+  )
+}
+
 stack_build() {
   if [ "$1" = dev ]; then
     options='--work-dir .build/stack --test --bench --flag blackhole:dev --ghc-options=-O0'
@@ -259,7 +359,8 @@ stack_build() {
 
 # build_or_fail FLAG TARGET…
 build_or_fail() {
-  "${way}_build" "$@" >"$log" 2>&1 && return 0
+  : >"$log"
+  watched "${way}_build" "$@" && return 0
   # From the first error on, less the progress: warnings go before it.
   sed -n '/[Ee]rror:/,$p' "$log" | grep -v '^\[ *[0-9]* of ' >&2 || tail -n 40 "$log" >&2
   ! grep -q 'missing-home-modules' "$log" ||
@@ -270,15 +371,16 @@ build_or_fail() {
 # build_program TARGET…: build the targets, exe:blackhole among them, and put the
 # program in its place. Call it with the lock.
 build_program() {
-  sources=$(program_state)
+  sources=$(program_state) started=$(date +%s)
   if [ -x "$build/bin/blackhole" ]; then
     say 'building'
-  elif [ "$way" = stack ]; then
-    say "building (the first time, Stack may fetch GHC and the libraries: half an hour; see $log)"
+  elif [ "$way" != debian ]; then
+    say "building with $way (the first time this may fetch and build the libraries: half an hour)"
   else
     say 'building (the first time takes about 2 minutes)'
   fi
   build_or_fail '' "$@"
+  say "built in $(($(date +%s) - started)) s"
   # One step from the old program to the new: somebody may be starting it.
   cp "$products/blackhole/blackhole" "$build/bin/new"
   rm -f "$build/bin/state"

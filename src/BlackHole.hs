@@ -52,12 +52,12 @@ import BlackHole.Render.Workers (Workers, defaultWorkers, withWorkers)
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Field.Field (Field (..))
 import BlackHole.Scene.Field.Kind (readValue)
-import BlackHole.Scene.Field.Table (findField, sceneFields)
+import BlackHole.Scene.Field.Table (currentPath, findField, sceneFields)
 import qualified BlackHole.Scene.File.SceneFile as SceneFile
 import BlackHole.Scene.Preset (defaultScene, findPreset, presetNames)
 import BlackHole.Scene.Problem (suggestion)
 import BlackHole.Scene.Scene (Scene (..))
-import BlackHole.Scene.Setting (Setting (..), applySettings, withoutEffect)
+import BlackHole.Scene.Setting (Naming (..), Setting (..), applySettings, idleSettings, renderIdle)
 import BlackHole.Scene.Validate (renderProblem, validateScene)
 import Data.Either (partitionEithers)
 import Data.List (intercalate)
@@ -77,15 +77,14 @@ loadScene file = SceneOptions.loadScene (SceneOptions (Just file) Nothing [])
 -- without effect in this scene.
 change :: [(String, String)] -> Scene -> Either [String] Scene
 change pairs scene = case partitionEithers (map setting pairs) of
-  ([], settings) -> case map renderProblem (validateScene changed) ++ [settingPath s ++ ": has no effect in this scene" | (s, _) <- idle] of
+  ([], settings) -> case map renderProblem (validateScene changed) ++ map (renderIdle InFile) (idleSettings scene (latest settings)) of
     [] -> Right changed
     problems -> Left problems
     where
       changed = applySettings settings scene
-      idle = withoutEffect scene (latest settings)
   (problems, _) -> Left problems
   where
-    setting (name, text) = case findField name of
+    setting (name, text) = case findField (currentPath name) of
       Nothing -> Left (name ++ ": there is no such setting" ++ suggestion name settingNames)
       Just field -> case readValue (fieldKind field) text of
         Left expected -> Left (name ++ ": '" ++ text ++ "' is not " ++ expected)

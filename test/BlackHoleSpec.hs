@@ -30,7 +30,7 @@ spec = before_ (setLocaleEncoding utf8) $ do
   it "writes the bytes that the program writes" $
     inFolder $ \folder -> do
       let file name = folder </> name
-      Right scene <- pure (change [("image.width", "40"), ("sampling.samples", "1"), ("camera.field-of-view", "70")] defaultScene)
+      Right scene <- pure (change [("image.width", "40"), ("sampling.samples", "1"), ("camera.fov", "70")] defaultScene)
       renderToFile (file "a.png") scene `shouldReturn` Right ()
       Program.run ["render", "--width", "40", "--samples", "1", "--fov", "70", "--quiet", "-o", file "b.png"] `shouldReturn` ExitSuccess
       ours <- Bytes.readFile (file "a.png")

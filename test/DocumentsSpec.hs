@@ -1,8 +1,15 @@
--- | Every command line that the documents show works. Pictures are made small.
+-- | The documents agree with the program: their command lines work (with small
+-- pictures), what they name exists, and the numbers they quote are those of the code.
 module DocumentsSpec (spec) where
 
-import BlackHole.Cli.Help (topicNames)
-import BlackHole.Cli.Options (Parsed (..), parseArguments)
+import BlackHole.Cli.Help
+import BlackHole.Cli.Options (Parsed (..), commandHelps, formerOptions, parseArguments)
+import BlackHole.Cli.Run (exitCode)
+import BlackHole.Cli.SceneOptions (sceneOptions)
+import BlackHole.Scene.Field.Field
+import BlackHole.Scene.Field.Kind (showValue)
+import BlackHole.Scene.Field.Table (sceneFields)
+import BlackHole.Scene.Preset (defaultScene, presetNames)
 import qualified Codec.Picture as Juicy
 import Control.Applicative ((<|>))
 import Control.Monad (filterM, forM_, unless, when)
@@ -12,10 +19,11 @@ import Data.Maybe (isJust, mapMaybe)
 import GHC.IO.Encoding (setFileSystemEncoding, setLocaleEncoding, utf8)
 import System.Directory (copyFile, createDirectoryIfMissing, doesFileExist, doesPathExist, findExecutable, listDirectory)
 import System.Exit (ExitCode (..))
-import System.FilePath (takeDirectory, takeExtension, (</>))
+import System.FilePath (takeDirectory, takeExtension, takeFileName, (</>))
 import System.IO.Temp (withSystemTempDirectory)
 import System.Process (CreateProcess (cwd), proc, readCreateProcessWithExitCode)
 import Test.Hspec
+import Text.Read (readMaybe)
 
 spec :: Spec
 spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
@@ -36,40 +44,172 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
     length found `shouldSatisfy` (>= 40)
   forM_ documents $ \document ->
     it ("work in " ++ document) $ readFile document >>= allWork . commandLines
-  it "docs/options.md has every option of render in its tables, and no other" $ do
-    text <- readFile "docs/options.md"
-    let table = takeWhile (/= "## `blackhole animate`") (dropWhile (/= "## `blackhole render`") (lines text))
-        options = filter ("--" `isPrefixOf`) . words . map (\c -> if c `elem` "`,()" then ' ' else c)
-        listed = concatMap (options . takeWhile (/= '|') . drop 1) (filter (isPrefixOf "| `") table)
-    sort listed `shouldBe` sort (nub listed)
-    (listed, concatMap options' (lines (helpOf "render"))) `shouldSatisfy` \(a, b) -> sort (nub a) == sort (nub b)
+  describe "docs/options.md" $ do
+    text <- runIO (readFile "docs/options.md")
+    let sectionOf name = takeWhile (not . isPrefixOf "## ") (drop 1 (dropWhile (/= "## `blackhole " ++ name ++ "`") (lines text)))
+        rowsOf name = [map trim (splitCells row) | row <- sectionOf name, "| `" `isPrefixOf` row]
+        -- A bar in a cell is written with a backslash.
+        splitCells row = case break (== '|') (drop 1 row) of
+          (cell, rest) | "\\" `isSuffixOf` cell -> case splitCells rest of
+            next : others -> (cell ++ next) : others
+            [] -> [cell]
+          (_, "") -> []
+          (cell, rest) -> cell : splitCells rest
+        trim = dropWhileEnd isSpace . dropWhile isSpace
+        optionsOf cell = filter ("--" `isPrefixOf`) (words (map (\c -> if c `elem` "`,()" then ' ' else c) cell))
+        sceneNames = concatMap entryNames (parserEntries sceneOptions)
+    forM_ [c | c <- commandHelps, commandName c `notElem` ["help", "scene"], ' ' `notElem` commandName c] $ \c ->
+      it ("lists every option of " ++ commandName c ++ " once, and no other") $ do
+        let listed = concatMap (concatMap optionsOf . take 1) (rowsOf (commandName c))
+            inherited = if commandName c == "animate" then sceneNames else []
+            own = [name | name <- concatMap entryNames (commandEntries c), "--" `isPrefixOf` name, name `notElem` inherited]
+        sort (nub listed) `shouldBe` sort own
+        -- Both forms of --shard stand in one row.
+        sort (filter (/= "--shard") listed) `shouldBe` sort (filter (/= "--shard") own)
+    it "names every command of scene" $
+      mapM_ (\c -> unlines (sectionOf "scene") `shouldSatisfy` isInfixOf ("blackhole " ++ commandName c)) [c | c <- commandHelps, "scene " `isPrefixOf` commandName c]
+    it "has the defaults of the settings" $ do
+      let documented = concat [zip (optionsOf names) (map trim (separated standard)) | [names, _, standard] <- rowsOf "render", standard /= ""]
+          separated cell = case break (== ',') cell of
+            (a, _ : rest) -> a : separated rest
+            (a, []) -> [a]
+          plain = concatMap (\c -> if c == '\8722' then "-" else [c | c /= '`'])
+          true =
+            [ (optionName o, showValue value)
+              | f <- sceneFields,
+                not ("default" `isInfixOf` fieldDoc f),
+                Just o@(Takes _ _) <- [fieldOption f],
+                Just value <- [fieldGet f defaultScene]
+            ]
+      [(name, plain meaning) | (name, meaning) <- documented, name `elem` map fst true] `shouldMatchList` true
   it "links of the documents lead to files" $ do
     targets <- concat <$> mapM (\document -> map (takeDirectory document </>) . links <$> readFile document) documents
     missing <- filterM (fmap not . doesPathExist) (nub targets)
     length targets `shouldSatisfy` (> 40)
     missing `shouldBe` []
+  describe "the documents" $ do
+    texts <- runIO (mapM (\document -> (,) document <$> readFile document) (filter (\f -> takeExtension f == ".md") documents))
+    let spans = nub [(document, code) | (document, text) <- texts, code <- codeSpans text]
+    it "name files that exist" $ do
+      let named = [(document, file) | (document, code) <- spans, file <- maybe [] pure (repositoryFile code)]
+      length named `shouldSatisfy` (> 30)
+      filterM (fmap not . doesPathExist . snd) named `shouldReturn` []
+    it "name modules that exist" $ do
+      sources <- concat <$> mapM filesBelow ["src", "backend"]
+      let places = map (++ "/") (sources ++ map takeDirectory sources)
+          named = [(document, code) | (document, code) <- spans, isModuleName code]
+          known code = any (\path -> any (path `isInfixOf`) places) [concatMap ('/' :) parts ++ end | parts <- [components code], end <- [".hs/", "/"]]
+      length named `shouldSatisfy` (> 30)
+      filter (not . known . snd) named `shouldBe` []
+    it "name options that exist" $ do
+      let options = concatMap (concatMap optionsIn . lines . helpOf) commands ++ ["--help", "--version"] ++ map fst formerOptions ++ scripts
+          -- Of other programs: script/install and sbatch.
+          scripts = ["--prefix", "--uninstall", "--array"]
+          named = [(document, option) | (document, code) <- spans, any (`isPrefixOf` code) ["-", "blackhole "], option <- optionsIn code]
+      length named `shouldSatisfy` (> 80)
+      filter ((`notElem` options) . snd) named `shouldBe` []
+    it "quote the numbers of the code" $
+      forM_ quotations $ \(document, quotation, source, definition) -> do
+        (document, lookup document texts) `shouldSatisfy` maybe False (isInfixOf (unwords (words quotation)) . unwords . words) . snd
+        code <- readFile source
+        (source, code) `shouldSatisfy` any (isPrefixOf definition . dropWhile isSpace) . lines . snd
+    it "cover every preset" $
+      forM_ presetNames $ \name -> do
+        lookup "docs/gallery.md" texts `shouldSatisfy` maybe False (isInfixOf ("\n## " ++ name ++ "\n"))
+        lookup "scenes/README.md" texts `shouldSatisfy` maybe False (isInfixOf ("`" ++ name ++ ".yaml`"))
+        doesFileExist ("scenes" </> name ++ ".yaml") `shouldReturn` True
+    it "link to every document" $
+      forM_ [f | (f, _) <- texts, takeDirectory f == "docs", f /= "docs/README.md"] $ \file -> do
+        lookup "README.md" texts `shouldSatisfy` maybe False (elem file . links)
+        lookup "docs/README.md" texts `shouldSatisfy` maybe False (elem (takeFileName file) . links)
+    it "list every exit code" $ do
+      let listed = [listedCode | line <- maybe [] lines (lookup "README.md" texts), Just rest <- [stripPrefix "| " line], Just listedCode <- [readMaybe (takeWhile (/= ' ') rest)]]
+          code status = case exitCode status of
+            ExitSuccess -> 0 :: Int
+            ExitFailure n -> n
+      listed `shouldBe` map code [minBound .. maxBound]
+    it "name the modules that use CPP" $ do
+      sources <- filter ((== ".hs") . takeExtension) . concat <$> mapM filesBelow ["app", "backend", "bench", "script", "src"]
+      preprocessed <- filterM (fmap (isInfixOf "{-# LANGUAGE CPP") . readFile) sources
+      preprocessed `shouldBe` ["src/BlackHole/Physics/Leapfrog.hs"]
+      lookup "CONTRIBUTING.md" texts `shouldSatisfy` maybe False (isInfixOf "CPP, except in\n  `BlackHole.Physics.Leapfrog`")
   it "work in the program's help" $
     allWork (nub (concatMap (commandLines . unlines . mapMaybe shown . filter ("blackhole " `isInfixOf`) . filter (not . isPrefixOf "   ") . lines . helpOf) (topicNames ++ commands)))
   where
-    commands = ["render", "animate", "join", "scene", "photon", "rays", "selftest"]
-    -- The first column of the help is two spaces wide.
-    options' line = case line of
-      ' ' : ' ' : '-' : _ -> filter ("--" `isPrefixOf`) (words (filter (/= ',') (take 24 line)))
-      _ -> []
+    commands = map commandName commandHelps
+    optionsIn = filter isOption . words . map (\c -> if isAlpha c || c == '-' then c else ' ')
+    isOption word = case word of
+      '-' : '-' : c : _ -> isAlpha c
+      _ -> False
     links text = case stripPrefix "](" text of
       Just rest | target <- takeWhile (`notElem` "#)") rest, not (null target), not ("http" `isPrefixOf` target) -> target : links rest
       _ -> maybe [] (links . drop 1) (if null text then Nothing else Just text)
     shown line = ("    " ++) <$> (stripPrefix "Example: " line <|> stripPrefix "  " line)
-    helpOf word = case parseArguments "" ["help", word] of
+    helpOf word = case parseArguments "" ("help" : words word) of
       Inform text -> text
       _ -> ""
+
+-- | What a document says, and the line of the source that it must agree with: the
+-- document, the quotation, the source file, and the beginning of a line in it.
+quotations :: [(FilePath, String, FilePath, String)]
+quotations =
+  [ ("docs/architecture.md", "up to 24 octaves", "src/BlackHole/Physics/LensTable.hs", "octaveCount = 24"),
+    ("docs/architecture.md", "octaves of 64 intervals", "src/BlackHole/Physics/LensTable.hs", "segmentCount = 64"),
+    ("docs/performance.md", "Closer than 2⁻²⁴ to the critical path", "src/BlackHole/Physics/LensTable.hs", "closest = 0.5 ^^ octaveCount"),
+    ("docs/physics.md", "b_c = 3√3/2 = 2.598076211353316", "src/BlackHole/Physics/Radii.hs", "criticalImpactParameter = 2.598076211353316"),
+    ("docs/physics.md", "greatest at r = 4.7755", "src/BlackHole/Physics/ThinDisk.hs", "peakRadius = 4.77546"),
+    ("docs/physics.md", "Tracing stops when t < 0.01", "src/BlackHole/Trace/Gas.hs", "opaqueEnough = 0.01"),
+    ("docs/physics.md", "and 10 beyond r = 40", "src/BlackHole/Physics/Leapfrog.hs", "| r2 > 1600 = 10"),
+    ("docs/options.md", "1 to 65536", "src/BlackHole/Scene/Field/Table.hs", "maximumPictureSide = 65536"),
+    ("docs/sky.md", "8192 by 4096", "src/BlackHole/Image/Panorama.hs", "maximumPanoramaPixels = 8192 * 4096"),
+    ("docs/film.md", "64×64", "src/BlackHole/Light/Dither.hs", "ditherTileSide = 64")
+  ]
+
+-- | The code within the sentences and tables of a document.
+codeSpans :: String -> [String]
+codeSpans = concatMap (quoted . filter (/= '\\')) . prose False . lines
+  where
+    prose fenced (line : rest)
+      | "```" `isPrefixOf` line = prose (not fenced) rest
+      | fenced || "    " `isPrefixOf` line = prose fenced rest
+      | otherwise = line : prose fenced rest
+    prose _ [] = []
+    quoted line = case break (== '`') line of
+      (_, _ : rest) -> let (code, more) = break (== '`') rest in code : quoted (drop 1 more)
+      _ -> []
+
+-- | The file of the repository that a piece of code stands for, without what only
+-- stands for a value. @Trace/PixelSpec@ is a file of the tests.
+repositoryFile :: String -> Maybe FilePath
+repositoryFile code = case words code of
+  file : _
+    | takeWhile (/= '/') file `elem` [".ci", "app", "backend", "bench", "docs", "scenes", "script", "src", "test"],
+      '/' `elem` file && not ("NAME" `isInfixOf` file) ->
+      Just file
+    | "Spec" `isSuffixOf` file && '/' `elem` file -> Just ("test/BlackHole" </> file ++ ".hs")
+  _ -> Nothing
+
+-- | Whether it reads as a module of the library, as in @Physics.LensTable@; the name
+-- of something that it exports may follow.
+isModuleName :: String -> Bool
+isModuleName code = length (components code) > 1 && all (\c -> isAlpha c || c == '.') code
+
+-- | The parts of a module's name.
+components :: String -> [String]
+components = takeWhile (any isUpper . take 1) . words . map (\c -> if c == '.' then ' ' else c)
+
+-- | All files in a folder and those inside it.
+filesBelow :: FilePath -> IO [FilePath]
+filesBelow folder = do
+  entries <- map (folder </>) . sort <$> listDirectory folder
+  concat <$> mapM (\entry -> doesFileExist entry >>= \isFile -> if isFile then pure [entry] else filesBelow entry) entries
 
 -- | Documents and scene files with words for people.
 documentFiles :: IO [FilePath]
 documentFiles = do
   docs <- listDirectory "docs"
   scenes <- listDirectory "scenes"
-  pure (["README.md", "CONTRIBUTING.md"] ++ sort (["docs" </> f | f <- docs, takeExtension f == ".md"] ++ ["scenes" </> f | f <- scenes, takeExtension f `elem` [".md", ".yaml"]]))
+  pure (["README.md", "CONTRIBUTING.md", "CHANGELOG.md"] ++ sort (["docs" </> f | f <- docs, takeExtension f == ".md"] ++ ["scenes" </> f | f <- scenes, takeExtension f `elem` [".md", ".yaml"]]))
 
 -- | The program's arguments, and the file that its output goes to.
 data Command = Command [String] (Maybe FilePath)
@@ -158,13 +298,15 @@ scaled :: [String] -> [String]
 scaled arguments = case arguments of
   "render" : _
     | "--pixel" `elem` arguments -> arguments
-    | otherwise -> arguments ++ size ++ ["--quiet"]
+    | otherwise -> arguments ++ filter (const (not adaptive)) ["--samples=1"] ++ size ++ ["--quiet"]
   "animate" : _
     | "--status" `elem` arguments -> arguments
-    | otherwise -> arguments ++ size ++ ["--duration", "0.1"]
+    | otherwise -> arguments ++ ["--samples", "1", "--duration", "0.1"] ++ size
   _ -> arguments
   where
-    size = ["--width", "16", "--height", "9", "--samples", "1"]
+    size = ["--width", "16", "--height", "8"]
+    -- With one sample, the options of adaptive sampling would have no effect.
+    adaptive = any (`elem` arguments) ["--noise", "--most-samples"]
 
 -- | The files that a pattern names.
 expanded :: FilePath -> String -> IO [String]

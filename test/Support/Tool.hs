@@ -1,7 +1,8 @@
 -- | Programs from elsewhere that read what this one writes.
-module Support.Tool (withTool, toolOutput, toolOutputIfThere) where
+module Support.Tool (withTool, withImageMagick, toolOutput, toolOutputIfThere) where
 
 import qualified Data.ByteString as Bytes
+import qualified Data.ByteString.Char8 as Characters
 import System.Directory (findExecutable)
 import System.IO (hClose, openBinaryTempFile)
 import System.IO.Temp (withSystemTempDirectory)
@@ -12,6 +13,20 @@ import Test.Hspec
 withTool :: String -> (FilePath -> Expectation) -> Expectation
 withTool name action =
   findExecutable name >>= maybe (pendingWith (name ++ " is not installed")) action
+
+-- | Pass a function that calls one of ImageMagick's tools, such as @convert@ or
+-- @identify@, or mark the test as pending. ImageMagick 7 has them as @magick convert@;
+-- other programs of the same names do not count.
+withImageMagick :: String -> (([String] -> IO Bytes.ByteString) -> Expectation) -> Expectation
+withImageMagick name action = go [("magick", [name]), (name, [])]
+  where
+    go [] = pendingWith ("ImageMagick's " ++ name ++ " is not installed")
+    go ((program, subcommand) : others) = do
+      found <- findExecutable program
+      version <- maybe (pure Bytes.empty) (`toolOutput` ["-version"]) found
+      case found of
+        Just path | Characters.pack "ImageMagick" `Bytes.isInfixOf` version -> action (toolOutput path . (subcommand ++))
+        _ -> go others
 
 -- | What a program prints on standard output.
 toolOutput :: FilePath -> [String] -> IO Bytes.ByteString

@@ -11,7 +11,9 @@ where
 import BlackHole.Animation.Interpolate (Interpolation (..), easedFraction)
 import BlackHole.Physics.Angle
 import BlackHole.Physics.FreeFall
+import BlackHole.Physics.Kerr.WorldLine
 import BlackHole.Physics.Observer (Observer (..))
+import BlackHole.Physics.Spacetime (Spacetime (..))
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Scene
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^), (^-^))
@@ -58,7 +60,7 @@ data Pace
 alongPath :: CameraPath -> Double -> Double -> Scene -> Either String Scene
 alongPath path duration seconds scene = case path of
   Orbit axis turns kind -> case XYZ.normalize axis of
-    Nothing -> Left "the orbit's axis has no direction"
+    Nothing -> Left "the axis has no direction"
     Just unit -> Right (posed (turnPose unit (360 * turns * progress kind) pose))
   Dolly place target kind ->
     let from = posePosition pose
@@ -66,15 +68,15 @@ alongPath path duration seconds scene = case path of
         looking = poseTarget pose
      in Right (posed (LookAt (XYZ.lerp s from place) (maybe looking (XYZ.lerp s looking) target)))
   FreeFall pace
-    | Just r <- infallRadius start (properTime pace start) ->
+    | Just r <- fallen (properTime pace start) ->
       Right (posed (moveTo r)) {sceneObserver = Falling}
-    | otherwise -> Left ("after " ++ show seconds ++ " s the camera has fallen into the centre")
+    | otherwise -> Left ("after " ++ show seconds ++ " s, the camera has fallen into the centre of the hole")
   CircularOrbit rate
-    | not inPlane -> Left "the camera is not in the disk's plane (camera.inclination 90), where alone the orbiting observer moves along his circle"
-    | Just phase <- orbitalPhase start (rate * seconds) ->
+    | not inPlane -> Left "the camera must be in the disk's plane (camera.inclination 90)"
+    | Just phase <- phaseAfter (rate * seconds) ->
       let Degrees turned = toDegrees (Radians phase)
        in Right (posed (turnPose (XYZ 0 1 0) turned pose)) {sceneObserver = Orbiting}
-    | otherwise -> Left ("there is no circular geodesic at the camera's distance " ++ show start)
+    | otherwise -> Left ("there is no circular orbit at the camera's distance, " ++ show start ++ " Schwarzschild radii")
   where
     camera = sceneCamera scene
     pose = cameraPose camera
@@ -84,7 +86,12 @@ alongPath path duration seconds scene = case path of
       Eased -> easedFraction (seconds / duration)
       _ -> seconds / duration
     properTime (ProperTimePerSecond rate) _ = rate * seconds
-    properTime (FallsTo end) from = infallTime from end * seconds / duration
+    properTime (FallsTo end) from = fallTime from end * seconds / duration
+    -- The world lines are those of the hole, with its spin if it has one.
+    (fallen, fallTime, phaseAfter) = case sceneSpacetime scene of
+      Kerr hole -> (kerrInfallRadius hole cosine start, kerrInfallTime hole cosine, kerrOrbitalPhase hole start)
+      _ -> (infallRadius start, infallTime, orbitalPhase start)
+    cosine = let XYZ _ y _ = posePosition pose in y / start
     -- The hole stays where it is in the picture of somebody who looks at it;
     -- another direction of sight is kept as well.
     moveTo r = case pose of

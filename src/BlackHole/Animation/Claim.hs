@@ -1,24 +1,23 @@
 {-# LANGUAGE ScopedTypeVariables #-}
 {-# LANGUAGE TupleSections #-}
 
--- | Claims: which process is rendering a frame right now.
+-- | Claims: the files that say which process is rendering a frame.
 --
--- A claim is a small file that says who holds it. It is made complete under
--- another name and then linked to its own, which succeeds for one process only,
--- on network file systems too. The holder touches it now and then.
+-- A claim is a small file that names its holder. It is written completely under another
+-- name and then linked to its own, which succeeds for one process only, even on network
+-- file systems. The holder touches it regularly.
 --
--- A claim whose holder is gone may be taken over:
+-- A claim whose holder is gone may be taken over in these cases:
 --
--- * The holder was on this machine: its process number is free, or belongs to a
---   process that was started at another time.
--- * The holder was an earlier start of the same Slurm job, which Slurm has put
---   back into the queue.
--- * The holder is elsewhere, and the claim has not been touched for a while, by
---   the clock of the file system (machines' own clocks may differ).
+-- * The holder was on this machine, and its process number is free or belongs to a
+--   process that started at another time.
+-- * The holder was an earlier start of the same Slurm job, which Slurm has requeued.
+-- * The holder is elsewhere, and the claim has not been touched for a while, by the
+--   clock of the file system (the clocks of machines may differ).
 --
--- To remove a claim takes the folder's lock, which the system frees with its
--- process, so that nobody removes the claim that another one has just made in the
--- place of a dead one's.
+-- Removing a claim requires the folder's lock, which the system releases when its
+-- process ends. Without the lock, a process might remove the claim that another one has
+-- just made in place of an abandoned one.
 module BlackHole.Animation.Claim
   ( Holder (..),
     currentHolder,
@@ -36,12 +35,13 @@ module BlackHole.Animation.Claim
 where
 
 import BlackHole.Image.PartFile (machine)
-import Control.Concurrent (threadDelay)
+import Control.Concurrent (myThreadId, threadDelay)
 import Control.Concurrent.Async (withAsync)
 import Control.Exception (IOException, bracket, catch, throwIO, try)
 import Control.Monad (forever, void)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Char8
+import Data.Char (isDigit)
 import Data.List (intercalate, stripPrefix)
 import Data.Maybe (fromMaybe, mapMaybe)
 import Foreign.C (throwErrnoIfMinus1, withCString)
@@ -60,14 +60,14 @@ import Text.Read (readMaybe)
 -- | A process that holds claims.
 data Holder = Holder
   { holderHost :: !String,
-    -- | What else makes process numbers comparable: the machine's start and,
-    -- in a container, its own numbering.
+    -- | What else makes process numbers comparable: the machine's last start and, in a
+    -- container, its own numbering.
     holderBoot :: !String,
     holderProcess :: !Int,
-    -- | When the process was started, in the system's own words.
+    -- | The start time of the process, in the system's own format.
     holderStarted :: !String,
-    -- | The Slurm job that it belongs to, if any, and how often Slurm has
-    -- started that again.
+    -- | The Slurm job to which it belongs, if any, and the number of times that Slurm
+    -- has started the job again.
     holderJob :: !(Maybe (String, Int))
   }
   deriving (Eq, Show)
@@ -89,18 +89,18 @@ currentHolder = do
         holderJob = (,fromMaybe 0 (restarts >>= readMaybe)) <$> job
       }
 
--- | For people: process and machine.
+-- | Process and machine, for messages.
 holderName :: Holder -> String
 holderName holder = "process " ++ show (holderProcess holder) ++ " on " ++ holderHost holder
 
--- | For the claim's file: one line for each part.
+-- | The contents of a claim's file: one line per field.
 renderHolder :: Holder -> String
 renderHolder (Holder host boot process started job) =
   unlines $
     ["host " ++ host, "boot " ++ boot, "process " ++ show process, "started " ++ started]
       ++ ["job " ++ show restarts ++ " " ++ name | Just (name, restarts) <- [job]]
 
--- | Read what 'renderHolder' wrote.
+-- | Parses the output of 'renderHolder'.
 parseHolder :: String -> Maybe Holder
 parseHolder text = do
   host <- field "host "
@@ -116,28 +116,28 @@ parseHolder text = do
       (restarts, ' ' : name) -> (,) name <$> readMaybe restarts
       _ -> Nothing
 
--- | Where claims lie, who makes them here, and after how many seconds without
--- a touch a claim from elsewhere counts as abandoned.
+-- | The folder of claims, the process that makes claims here, and the number of seconds
+-- without a touch after which a claim from elsewhere counts as abandoned.
 data ClaimFolder = ClaimFolder
   { claimFolderPath :: !FilePath,
     claimFolderHolder :: !Holder,
     claimFolderPatience :: !Double
   }
 
--- | The claim's file for something of that name.
+-- | The file of a claim on something of this name.
 claimFile :: ClaimFolder -> String -> FilePath
 claimFile folder name = claimFolderPath folder </> (name ++ ".claim")
 
 -- | The outcome of asking for a claim.
 data Claimed
-  = -- | It is this process's now; the dead holder it was taken from, if any.
+  = -- | This process now holds it; the dead holder from whom it was taken, if any.
     Claimed !(Maybe Holder)
-  | -- | Somebody holds it (unknown if the file is not legible).
+  | -- | Another process holds it (unknown if the file is not legible).
     HeldBy !(Maybe Holder)
   deriving (Eq, Show)
 
--- | Ask for a claim; does not wait for another holder. Throws what the file
--- system says if no file can be made there.
+-- | Asks for a claim without waiting for another holder. Throws the exceptions of the
+-- file system if no file can be created there.
 takeClaim :: ClaimFolder -> String -> IO Claimed
 takeClaim folder name = do
   made <- makeExclusively folder path
@@ -148,7 +148,7 @@ takeClaim folder name = do
       case found of
         Alive holder -> pure (HeldBy holder)
         _ -> locked folder $ do
-          -- Somebody may have been faster.
+          -- Another process may have been faster.
           again <- judge folder path
           case again of
             Alive holder -> pure (HeldBy holder)
@@ -160,7 +160,7 @@ takeClaim folder name = do
       made <- makeExclusively folder path
       pure (if made then Claimed former else HeldBy Nothing)
 
--- | Give a claim back. One that has meanwhile been taken over stays.
+-- | Releases a claim. A claim that has been taken over in the meantime stays.
 releaseClaim :: ClaimFolder -> String -> IO ()
 releaseClaim folder name = locked folder $ do
   text <- quietly "" (readWhole path)
@@ -168,7 +168,7 @@ releaseClaim folder name = locked folder $ do
   where
     path = claimFile folder name
 
--- | Touch a claim every few seconds while an action runs.
+-- | Touches a claim every few seconds while an action runs.
 keepingAlive :: ClaimFolder -> String -> IO a -> IO a
 keepingAlive folder name action = withAsync touching (const action)
   where
@@ -176,7 +176,7 @@ keepingAlive folder name action = withAsync touching (const action)
       threadDelay (round (1e6 * max 0.05 (min 10 (claimFolderPatience folder / 5))))
       quietly () (touchFile (claimFile folder name))
 
--- | Who holds a claim, if anybody does who is not known to be gone.
+-- | The holder of a claim, unless the holder is known to be gone.
 liveHolder :: ClaimFolder -> String -> IO (Maybe (Maybe Holder))
 liveHolder folder name = do
   found <- judge folder (claimFile folder name)
@@ -198,8 +198,7 @@ judge (ClaimFolder folder self patience) path = do
       | otherwise -> throwIO refusal
     Right content -> case parseHolder content of
       Just holder
-        -- A process has one name; a claim of its own is left from an
-        -- interrupted attempt.
+        -- A process has one name; its own claim is a remnant of an interrupted attempt.
         | holder == self -> pure (Abandoned (Just holder))
         | requeued holder -> pure (Abandoned (Just holder))
         | comparable holder -> do
@@ -220,29 +219,27 @@ judge (ClaimFolder folder self patience) path = do
         Left refusal
           | isDoesNotExistError refusal -> pure Absent
           | otherwise -> throwIO (refusal :: IOException)
-        -- Where no clock can be read, nothing could be claimed either.
+        -- If no clock can be read, no claim could be made either.
         Right time -> quietly (Alive holder) $ do
           now <- folderClock folder self
-          -- A holder touches it at the file system's own time, so that a time
-          -- far ahead is no sign of life either.
+          -- A holder touches its claim with the file system's own time, so a time far
+          -- in the future is not a sign of life either.
           pure (if abs (realToFrac (now - time)) > patience then Abandoned holder else Alive holder)
-    -- What the file system takes for now.
+    -- The present time according to the file system.
     folderClock at holder =
       bracket
-        (writeFile probe "" >> pure probe)
+        (temporaryName "clock" holder >>= \name -> writeFile (at </> name) "" >> pure (at </> name))
         removeQuietly
         (fmap modificationTime . getFileStatus)
-      where
-        probe = at </> temporaryName "clock" holder
 
--- | When a process was started, as far as the system tells; 'Nothing' if there
--- is no such process.
+-- | The start time of a process, as far as the system reveals it; 'Nothing' if there is
+-- no such process.
 processStart :: Int -> IO (Maybe String)
 processStart process = do
   stat <- try (readWhole ("/proc/" ++ show process ++ "/stat")) :: IO (Either IOException String)
   case stat of
-    -- The name before the last parenthesis may hold anything; the state
-    -- follows it, and the start is the twentieth word from there.
+    -- The name before the last parenthesis may contain anything. The state follows it,
+    -- and the start time is the twentieth word from there.
     Right text -> pure $ case words (afterLast ')' text) of
       state : rest | state `notElem` ["Z", "X"], started : _ <- drop 18 rest -> Just started
       _ -> Nothing
@@ -256,21 +253,20 @@ processStart process = do
       (_, _ : rest) -> rest
       (_, []) -> ""
 
--- | Make a file with this process's name in it; 'False' if there is one.
+-- | Creates a file with this process's name in it; 'False' if the file exists.
 makeExclusively :: ClaimFolder -> FilePath -> IO Bool
 makeExclusively (ClaimFolder folder self _) path =
-  bracket (Bytes.writeFile temporary content >> pure temporary) removeQuietly $ \_ -> do
+  bracket (temporaryName "claim" self >>= \name -> Bytes.writeFile (folder </> name) content >> pure (folder </> name)) removeQuietly $ \temporary -> do
     linked <- try (createLink temporary path)
     case linked of
       Right () -> pure True
       Left refusal
-        -- A network's repeated answer may deny what the first attempt did.
+        -- The repeated answer of a network may deny the success of the first attempt.
         | isAlreadyExistsError refusal -> (== 2) . linkCount <$> getFileStatus temporary
         | otherwise -> withoutLinks
   where
-    temporary = folder </> temporaryName "claim" self
     content = Char8.pack (renderHolder self)
-    -- Some file systems know no links; a claim is then empty for a moment.
+    -- Some file systems have no links; a claim is then empty for a moment.
     withoutLinks = do
       made <- try (withCString path $ \name -> throwErrnoIfMinus1 "open" (c_open name (o_WRONLY + o_CREAT + o_EXCL) 0o644))
       case made of
@@ -282,17 +278,19 @@ makeExclusively (ClaimFolder folder self _) path =
           | isAlreadyExistsError refusal -> pure False
           | otherwise -> throwIO (refusal :: IOException)
 
-temporaryName :: String -> Holder -> String
-temporaryName purpose holder =
-  intercalate "." ["", purpose, filter (/= '/') (holderHost holder), take 8 (holderBoot holder), show (holderProcess holder)]
+-- One for each thread, since a film's list and its frames are claimed at once.
+temporaryName :: String -> Holder -> IO String
+temporaryName purpose holder = do
+  thread <- filter isDigit . show <$> myThreadId
+  pure (intercalate "." ["", purpose, filter (/= '/') (holderHost holder), take 8 (holderBoot holder), show (holderProcess holder), thread])
 
--- | Hold the folder's lock. Where the file system has none, go on without: the
--- claims' own exclusiveness is left.
+-- | Runs an action with the folder's lock. On a file system without locks it runs
+-- without one, protected only by the exclusive creation of claims.
 locked :: ClaimFolder -> IO a -> IO a
 locked (ClaimFolder folder _ _) action = bracket open hClose $ \handle ->
   (hLock handle ExclusiveLock `catch` unsupported `catch` refused) >> action
   where
-    -- The run-time system lets one thread only have a file open for writing.
+    -- The run-time system allows only one thread to open a file for writing.
     open =
       openFile (folder </> "lock") ReadWriteMode `catch` \refusal ->
         if isAlreadyInUseError refusal then threadDelay 1000 >> open else throwIO refusal
@@ -310,6 +308,6 @@ quietly otherwise' action = action `catch` refused
     refused :: IOException -> IO a
     refused _ = pure otherwise'
 
--- A small file, whatever its bytes.
+-- Reads a small file, whatever its bytes.
 readWhole :: FilePath -> IO String
 readWhole = fmap Char8.unpack . Bytes.readFile

@@ -1,5 +1,4 @@
--- | Fingerprints of scenes and files: SHA-256 (FIPS 180-4), so that @sha256sum@
--- can check what this program has written down.
+-- | SHA-256 fingerprints of scenes and files (FIPS 180-4), which @sha256sum@ can check.
 module BlackHole.Animation.Digest
   ( Digest,
     digestHex,
@@ -18,7 +17,7 @@ import qualified Data.ByteString.Lazy.Char8 as Char8
 import Data.Char (isHexDigit, isUpper)
 import System.IO (IOMode (ReadMode), withBinaryFile)
 
--- | A fingerprint, as 64 hexadecimal digits.
+-- | A fingerprint of 64 hexadecimal digits.
 newtype Digest = Digest String
   deriving (Eq, Ord, Show)
 
@@ -26,7 +25,7 @@ newtype Digest = Digest String
 digestHex :: Digest -> String
 digestHex (Digest hex) = hex
 
--- | Read 64 hexadecimal digits in lower case.
+-- | Parses 64 hexadecimal digits in lower case.
 parseDigest :: String -> Maybe Digest
 parseDigest text
   | length text == 64 && all digit text = Just (Digest text)
@@ -34,7 +33,7 @@ parseDigest text
   where
     digit c = isHexDigit c && not (isUpper c)
 
--- | The fingerprint of bytes; linear in their number, in constant memory.
+-- | The fingerprint of bytes, in linear time and constant memory.
 digestBytes :: Lazy.ByteString -> Digest
 digestBytes = hexadecimal . SHA256.hashlazy
 
@@ -42,8 +41,8 @@ digestBytes = hexadecimal . SHA256.hashlazy
 digestText :: String -> Digest
 digestText = digestBytes . Builder.toLazyByteString . Builder.stringUtf8
 
--- | The fingerprint of a file and its number of bytes. Throws what the file
--- system says.
+-- | The fingerprint of a file, and its size in bytes. Throws the exceptions of the file
+-- system.
 digestFile :: FilePath -> IO (Digest, Integer)
 digestFile path = withBinaryFile path ReadMode (go SHA256.init 0)
   where

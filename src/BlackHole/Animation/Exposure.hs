@@ -1,4 +1,4 @@
--- | The light of a frame: that of one moment, or the mean of several.
+-- | The light of a frame: of one moment, or the mean of several moments.
 module BlackHole.Animation.Exposure
   ( exposeMoments,
     exposeMomentRows,
@@ -18,16 +18,16 @@ import Data.List.NonEmpty (NonEmpty (..))
 import Data.Maybe (isJust)
 import qualified Data.Vector.Storable as Vector
 
--- | Trace every moment and average their linear light; the numbers of samples are
--- added. The callback hears what part of all rows is done. Memory is that of two
--- films for any number of moments. The first argument is the picture of the sky if
--- the scenes' is a panorama, which has to be one and the same for all. 'Nothing' if
--- a scene is not valid or their pictures differ in size.
+-- | Traces every moment and averages their linear light; the numbers of samples are
+-- added. The callback receives the finished fraction of all rows. Needs the memory of
+-- two films for any number of moments. The first argument is the environment map, if
+-- the scenes have one, which must be the same for all. 'Nothing' if a scene is not
+-- valid or their pictures differ in size.
 exposeMoments :: Maybe SkyImage -> Workers -> (Double -> IO ()) -> NonEmpty Scene -> IO (Maybe Exposed)
 exposeMoments sky crew progress scenes@(first :| _) =
   exposeMomentRows sky crew progress scenes (0, pictureHeight (scenePicture first))
 
--- | The same for a band of the picture: its first row and its number of rows.
+-- | 'exposeMoments' for a band of the picture: its first row and its number of rows.
 exposeMomentRows :: Maybe SkyImage -> Workers -> (Double -> IO ()) -> NonEmpty Scene -> (Int, Int) -> IO (Maybe Exposed)
 exposeMomentRows sky crew progress (first :| rest) (firstRow, rows) = do
   start <- expose 0 first
@@ -43,7 +43,7 @@ exposeMomentRows sky crew progress (first :| rest) (firstRow, rows) = do
       seen <- expose k scene
       pure $! join (together <$> before <*> seen)
     together a b = Exposed <$> plus (exposedLight a) (exposedLight b) <*> (Just <$> join (plus <$> exposedCounts a <*> exposedCounts b))
-    -- A sum needs all its numbers.
+    -- A sum needs the number of samples of every pixel.
     counted scene exposed@(Exposed film counts)
       | count == 1 || isJust counts = Just exposed
       | otherwise = do
@@ -53,7 +53,7 @@ exposeMomentRows sky crew progress (first :| rest) (firstRow, rows) = do
       | count == 1 = Just (Exposed film counts)
       | otherwise = (`Exposed` counts) <$> fromPixelVector (pixelArrayShape film) (Vector.map (/ fromIntegral count) (toPixelVector film))
 
--- | The sum of two arrays of one shape.
+-- | The sum of two arrays of equal shape.
 plus :: PixelArray Float -> PixelArray Float -> Maybe (PixelArray Float)
 plus a b
   | pixelArrayShape a == pixelArrayShape b =

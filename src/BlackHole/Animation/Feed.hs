@@ -32,7 +32,7 @@ data Feed = Feed
 
 -- | @startFeed coder kind rate target name frames@: 'startVideo' for these
 -- frames.
-startFeed :: FilePath -> VideoKind -> Double -> FilePath -> FrameName -> [Int] -> IO Feed
+startFeed :: FilePath -> VideoCoding -> Double -> FilePath -> FrameName -> [Int] -> IO Feed
 startFeed coder kind rate target name frames = do
   started <- startVideo coder kind rate target
   Feed started name <$> newIORef frames <*> newIORef Set.empty <*> newIORef []

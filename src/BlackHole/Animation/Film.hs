@@ -84,13 +84,13 @@ filmDuration film = fromIntegral (filmFrames film) / filmRate film
 -- ('frameScenes').
 filmProblems :: Film -> [Problem]
 filmProblems film =
-  [ Problem "--frames" (show frames) ("a number of frames from 1 to " ++ show maximumFrames)
+  [ Problem "--duration" (show frames ++ " frames") ("a duration of 1 to " ++ show maximumFrames ++ " frames")
     | frames < 1 || frames > maximumFrames
   ]
     ++ [ Problem "--fps" (show rate) "a number of frames per second from 0.001 to 1000"
          | not (rate >= 0.001 && rate <= 1000)
        ]
-    ++ [ Problem "--shutter" (show open) "a part of the frame's time from 0 to 1"
+    ++ [ Problem "--shutter" (show open) "a fraction of the time between frames from 0 to 1"
          | not (open >= 0 && open <= 1)
        ]
     ++ [ Problem "--shutter-samples" (show samples) ("a whole number from 1 to " ++ show maximumShutterSamples)
@@ -114,7 +114,7 @@ momentScene film seconds = do
       scene >>= either (Left . pure) Right . set (valueAt kind keys seconds)
     along scene path = either (Left . pure . impossible path) Right (alongPath path (filmDuration film) seconds scene)
     impossible path reason =
-      Problem "animation.camera" (cameraPathName path) ("possible here: " ++ reason)
+      Mistake "animation.camera-path" (cameraPathName path ++ ": " ++ reason)
 
 -- | The moments (seconds) whose light frame @n@ gathers: the middles of equal
 -- parts of the time for which the shutter is open.

@@ -1,7 +1,5 @@
--- | The section @animation@ of a scene file: what changes from frame to frame.
---
--- One table of keys says what there is; the reader and the JSON Schema both come
--- from it.
+-- | The section @animation@ of a scene file, which makes a film of a scene. The reader,
+-- the JSON Schema and the help all derive from the tables of its keys.
 module BlackHole.Animation.FilmFile
   ( animationKey,
     readAnimation,
@@ -34,55 +32,55 @@ import Data.Maybe (fromMaybe, isJust, mapMaybe)
 animationKey :: String
 animationKey = "animation"
 
--- | A key with its kind of value, and one line that says what it is.
+-- | A key with its kind of value and a description in one line.
 data Entry = Entry
   { entryName :: !String,
     entryKind :: !Kind,
     entryDoc :: !String
   }
 
--- | The simple keys of the section itself; beside them there are @camera-path@
--- and @keyframes@.
+-- | The keys of the section that have a single value; it also has the groups
+-- @camera-path@ and @keyframes@.
 filmEntries :: [Entry]
 filmEntries =
-  [ Entry "frames" (WholeKind 1 maximumFrames "") "Number of frames; give this or the duration",
-    Entry "duration" (NumberKind (Quantity "a length" (Above 0) (UpTo 1e6) "seconds")) "Length of the film in seconds",
+  [ Entry "frames" (WholeKind 1 maximumFrames "") "Number of frames, instead of the duration",
+    Entry "duration" (NumberKind (Quantity "a duration" (Above 0) (UpTo 1e6) "seconds")) "Duration of the film in seconds, instead of the number of frames",
     Entry "fps" (NumberKind (Quantity "a number of frames per second" (From 0.001) (UpTo 1000) "")) "Frames per second (default: 24)",
-    Entry "shutter" (NumberKind (Quantity "a part of the frame's time" (From 0) (UpTo 1) "")) "Motion blur: the part of a frame's time for which the shutter is open (default: 0, a single moment)",
-    Entry "shutter-samples" (WholeKind 1 maximumShutterSamples "") "Moments averaged in each frame with an open shutter (default: 8)"
+    Entry "shutter" (NumberKind (Quantity "a fraction of the time between frames" (From 0) (UpTo 1) "")) "Motion blur: the fraction of the time between frames for which the shutter is open (default: 0, no motion blur)",
+    Entry "shutter-samples" (WholeKind 1 maximumShutterSamples "") "Moments averaged in each frame with an open shutter; rendering takes that many times as long (default: 8)"
   ]
 
 -- | The keys of the group @camera-path@.
 pathEntries :: [Entry]
 pathEntries =
-  [ Entry "kind" (ChoiceKind "a camera path" [(name, doc) | (name, doc, _) <- pathKinds]) "How the camera moves from where the scene and the keyframes have put it",
-    Entry "turns" (NumberKind (Quantity "a number of turns" (From (-1e4)) (UpTo 1e4) "")) "Turns around the hole during the film, right-handed about the axis (default: 1)",
-    Entry "axis" VectorKind "Axis of the turns (default: [0, 1, 0], the disk's)",
-    Entry "to" VectorKind "The place at which the film ends, in Schwarzschild radii",
-    Entry "look-at" VectorKind "The point that the camera looks at in the end, in Schwarzschild radii (default: as in the beginning)",
-    Entry "interpolation" (ChoiceKind "a way" [("linear", "at constant speed"), ("eased", "from rest to rest")]) "linear, or eased: from rest to rest (default: linear)",
-    Entry "end-distance" (NumberKind (Quantity "a distance" (Above 0) (UpTo 1e6) "Schwarzschild radii")) "Distance from the hole at which the film ends, in Schwarzschild radii",
-    Entry "rate" (NumberKind (Quantity "a proper time" (From (-1e9)) (UpTo 1e9) "r_s/c per second of film")) "The camera's own time per second of film, in r_s/c"
+  [ Entry "kind" (ChoiceKind "a camera path" [(name, doc) | (name, doc, _) <- pathKinds]) "Kind of the camera path",
+    Entry "turns" (NumberKind (Quantity "a number of turns" (From (-1e4)) (UpTo 1e4) "")) "Number of turns around the hole during the film, right-handed about the axis (default: 1)",
+    Entry "axis" VectorKind "Axis of the turns (default: [0, 1, 0], the disk's axis)",
+    Entry "to" VectorKind "Position of the camera at the end of the film, in Schwarzschild radii",
+    Entry "look-at" VectorKind "Point that the camera looks at in the end, in Schwarzschild radii (default: the same as at the start)",
+    Entry "interpolation" (ChoiceKind "a kind of interpolation" [("linear", "at constant speed"), ("eased", "from rest to rest")]) "Speed along the path: linear (constant), or eased (from rest to rest) (default: linear)",
+    Entry "end-distance" (NumberKind (Quantity "a distance" (Above 0) (UpTo 1e6) "Schwarzschild radii")) "Distance from the hole at the end of the film, in Schwarzschild radii",
+    Entry "rate" (NumberKind (Quantity "a proper time" (From (-1e9)) (UpTo 1e9) "r_s/c per second of film")) "Proper time of the camera per second of film, in r_s/c"
   ]
 
--- | The kinds of camera paths: name, what it is, and the keys it may have.
+-- | The kinds of camera paths: name, description, and keys.
 pathKinds :: [(String, String, [String])]
 pathKinds =
-  [ ("orbit", "around the hole", ["turns", "axis", "interpolation"]),
-    ("dolly", "straight to a place", ["to", "look-at", "interpolation"]),
-    ("free-fall", "falling from rest at infinity, straight in", ["end-distance", "rate"]),
-    ("circular-orbit", "on the circular geodesic in the disk's plane", ["rate"])
+  [ ("orbit", "turns around the hole", ["turns", "axis", "interpolation"]),
+    ("dolly", "a straight line to a position", ["to", "look-at", "interpolation"]),
+    ("free-fall", "radial free fall from rest at infinity, with end-distance or rate", ["end-distance", "rate"]),
+    ("circular-orbit", "the circular geodesic in the disk's plane", ["rate"])
   ]
 
--- | The keys of a field under @keyframes@ beside its times.
+-- | The keys of a setting under @keyframes@, apart from times.
 trackEntries :: [Entry]
 trackEntries =
-  [ Entry "interpolation" (ChoiceKind "a way" [(interpolationName kind, "") | kind <- [minBound ..]]) "held, linear, eased (from rest to rest at each key) or smooth (Catmull-Rom); default: linear",
-    Entry "shortest-turn" SwitchKind "For angles in degrees: go from each key to the next by less than half a turn (default: false)"
+  [ Entry "interpolation" (ChoiceKind "a kind of interpolation" [(interpolationName kind, "") | kind <- [minBound ..]]) "Between two keys: held (the value of the earlier key), linear, eased (from rest to rest) or smooth (Catmull-Rom spline) (default: linear)",
+    Entry "shortest-turn" SwitchKind "For angles in degrees: take the shorter way round from each key to the next (default: false)"
   ]
 
--- | Whether a field can have keys: numbers and vectors can, but for the
--- picture's size.
+-- | Whether a setting can have keyframes: all numbers and vectors except the picture's
+-- size.
 isTrackable :: Field -> Bool
 isTrackable field = takeWhile (/= '.') (fieldPath field) /= "image" && isJust (trackValue (fieldKind field) (fieldValues field))
   where
@@ -90,7 +88,7 @@ isTrackable field = takeWhile (/= '.') (fieldPath field) /= "image" && isJust (t
       VectorKind -> [0, 0, 0]
       _ -> [0]
 
--- | The value of a field from numbers; whole ones are rounded.
+-- | The value of a setting from numbers, rounded if it must be whole.
 trackValue :: Kind -> [Double] -> Maybe Value
 trackValue kind values = case (kind, values) of
   (NumberKind _, [v]) -> Just (NumberValue v)
@@ -100,15 +98,14 @@ trackValue kind values = case (kind, values) of
 
 type Faults = [(Int, Problem)]
 
--- | Read the section from a file's root: the film of a scene, and everything
--- that is wrong with the section, with lines. 'Nothing' if there is no such
--- section.
+-- | The section of a file, given its root: the film of a scene, and the problems of the
+-- section with their lines. 'Nothing' if there is no such section.
 readAnimation :: Node -> Maybe (Scene -> Film, [(Int, Problem)])
 readAnimation root = case root of
   Mapping _ members -> case [(at, value) | (at, key, value) <- members, key == animationKey] of
     [] -> Nothing
     [(_, section)] -> Just (readSection section)
-    _ : (second, _) : _ -> Just (stillFilm, [(second, Problem animationKey ("a second '" ++ animationKey ++ "'") "possible")])
+    _ : (second, _) : _ -> Just (stillFilm, [(second, Mistake animationKey "given twice")])
   _ -> Nothing
 
 readSection :: Node -> (Scene -> Film, Faults)
@@ -117,13 +114,18 @@ readSection section = (film, faults)
     (values, others, formFaults) = entriesOf [animationKey] filmEntries ["camera-path", "keyframes"] section
     (path, pathFaults) = maybe (Nothing, []) readPath (lookup "camera-path" others)
     (tracks, trackFaults) = maybe ([], []) readTracks (lookup "keyframes" others)
-    faults = formFaults ++ lengthFaults ++ pathFaults ++ trackFaults ++ clashes
+    faults = formFaults ++ lengthFaults ++ shutterFaults ++ pathFaults ++ trackFaults ++ clashes
+    shutterFaults =
+      [ (line, Mistake (within "shutter-samples") "has no effect; it applies only with a shutter above 0")
+        | maybe True (<= 0) (numberOf "shutter"),
+          Just (line, _) <- [value "shutter-samples"]
+      ]
     lengthFaults = case (value "frames", value "duration") of
-      (Just _, Just (line, _)) -> [(line, Problem (within "duration") "together with frames" "possible; give one of them")]
-      (Nothing, Nothing) | null formFaults -> [(nodeLine section, Problem animationKey "without frames and duration" "complete; give one of them")]
+      (Just _, Just (line, _)) -> [(line, Mistake (within "duration") "cannot be combined with frames")]
+      (Nothing, Nothing) | null formFaults -> [(nodeLine section, Mistake animationKey "needs frames or duration")]
       _ -> []
     clashes =
-      [ (nodeLine section, Problem (within ("keyframes." ++ trackField track)) ("together with the camera path " ++ cameraPathName p) "possible, for the path alone says where the camera is")
+      [ (nodeLine section, Mistake (within ("keyframes." ++ trackField track)) ("cannot be combined with the camera path " ++ cameraPathName p ++ ", which determines the position of the camera"))
         | Just p <- [path],
           isGeodesic p,
           track <- tracks,
@@ -151,21 +153,21 @@ readPath :: Node -> (Maybe CameraPath, Faults)
 readPath node = case value "kind" of
   Just (_, NameValue kind) -> (if null missing then build kind else Nothing, formFaults ++ surplus kind ++ missing ++ both)
     where
-      missing = [(nodeLine node, Problem pathLabel ("a path of the kind " ++ kind ++ " without " ++ wanted) "complete") | wanted <- lacking kind]
-  _ -> (Nothing, formFaults ++ [(nodeLine node, Problem pathLabel "without kind" "complete") | null formFaults])
+      missing = [(nodeLine node, Mistake pathLabel ("a path of the kind " ++ kind ++ " needs " ++ wanted)) | wanted <- lacking kind]
+  _ -> (Nothing, formFaults ++ [(nodeLine node, Mistake pathLabel ("needs a kind: " ++ intercalate ", " [kind | (kind, _, _) <- pathKinds])) | null formFaults])
   where
     (values, _, formFaults) = entriesOf [animationKey, "camera-path"] pathEntries [] node
     pathLabel = within "camera-path"
     value name = lookup name values
     surplus kind =
-      [ (line, Problem (pathLabel ++ "." ++ name) ("a key of the kind " ++ kind) ("possible; it has: " ++ intercalate ", " allowed))
+      [ (line, Mistake (pathLabel ++ "." ++ name) ("not a key of the kind " ++ kind ++ "; its keys are: " ++ intercalate ", " allowed))
         | (name, (line, _)) <- values,
           (known, _, allowed) <- pathKinds,
           known == kind,
           name `notElem` ("kind" : allowed)
       ]
     both =
-      [ (line, Problem pathLabel "both end-distance and rate" "possible; give one of them")
+      [ (line, Mistake pathLabel "end-distance and rate exclude each other")
         | Just _ <- [value "rate"],
           Just (line, _) <- [value "end-distance"]
       ]
@@ -196,19 +198,19 @@ readTracks node = case node of
     where
       found = zipWith track [0 :: Int ..] members
       track i (line, path, keys)
-        | path `elem` [p | (j, (_, p, _)) <- zip [0 ..] members, j < i] = (Nothing, [(line, Problem label ("a second '" ++ path ++ "'") "possible")])
-        | otherwise = case findField path of
+        | path `elem` [p | (j, (_, p, _)) <- zip [0 ..] members, j < i] = (Nothing, [(line, Mistake label "given twice")])
+        | otherwise = case findField (currentPath path) of
           Just field
             | isTrackable field -> readTrack label field keys
-            | otherwise -> (Nothing, [(line, Problem label "a field without numbers that could change" "possible")])
-          Nothing -> (Nothing, [(line, Problem label ("'" ++ path ++ "'") ("a field of a scene" ++ hint path))])
+            | otherwise -> (Nothing, [(line, Mistake label "cannot have keyframes; only numbers and vectors can, except the picture's size")])
+          Nothing -> (Nothing, [(line, Problem label ("'" ++ path ++ "'") ("a setting of a scene" ++ hint path))])
         where
           label = within ("keyframes." ++ path)
-  _ -> ([], [(nodeLine node, Problem (within "keyframes") (nodeText node) "a group of fields, each with times and values")])
+  _ -> ([], [(nodeLine node, Problem (within "keyframes") (nodeText node) "a group of settings, each with times and values")])
   where
     names = map fieldPath (filter isTrackable sceneFields)
     hint path = case suggestion path names of
-      "" -> " that is a number or a vector (blackhole scene show default lists all fields)"
+      "" -> "; blackhole scene show default lists all settings"
       text -> text
 
 readTrack :: String -> Field -> Node -> (Maybe Track, Faults)
@@ -217,14 +219,14 @@ readTrack label field node = case node of
     | not (null faults) -> (Nothing, faults)
     | otherwise -> case makeKeys (unwrapped [(time, numbers v) | (time, v) <- sortOn fst keys]) of
       Right good -> (Just (Track (fieldPath field) setField way good), [])
-      Left problem -> (Nothing, [(line, Problem label ("a list that " ++ renderKeysProblem problem) "possible")])
+      Left problem -> (Nothing, [(line, Mistake label (renderKeysProblem problem))])
     where
       (options, _, formFaults) = entriesWith isTime [label] trackEntries [] node
       isTime = isJust . readNumber
       found = [(at, text, value) | (at, text, value) <- members, isTime text]
       faults = formFaults ++ concat [either pure (const []) (keyOf m) | m <- found] ++ twice ++ turnFaults
       twice =
-        [ (at, Problem (label ++ "." ++ text) "a second value for this time" "possible")
+        [ (at, Mistake (label ++ "." ++ text) "given twice")
           | (i, (at, text, _)) <- zip [0 :: Int ..] found,
             readNumber text `elem` [readNumber earlier | (j, (_, earlier, _)) <- zip [0 ..] found, j < i]
         ]
@@ -235,11 +237,11 @@ readTrack label field node = case node of
       short = case lookup "shortest-turn" options of
         Just (_, SwitchValue on) -> on
         _ -> False
-      turnFaults = [(at, Problem label "shortest-turn" "possible for this field, which is no angle in degrees") | short, not inDegrees, Just (at, _) <- [lookup "shortest-turn" options]]
+      turnFaults = [(at, Mistake label "shortest-turn applies only to angles in degrees") | short, not inDegrees, Just (at, _) <- [lookup "shortest-turn" options]]
       unwrapped list
         | short = zip (map fst list) (map pure (unwrapDegrees (concatMap snd list)))
         | otherwise = list
-  _ -> (Nothing, [(nodeLine node, Problem label (nodeText node) "a group of times in seconds with values, as in {0: 30, 1.5: 20}")])
+  _ -> (Nothing, [(nodeLine node, Problem label (nodeText node) "a group of times in seconds with values, such as {0: 30, 1.5: 20}")])
   where
     inDegrees = case fieldKind field of
       NumberKind quantity -> take 7 (quantityUnit quantity) == "degrees"
@@ -257,34 +259,34 @@ readTrack label field node = case node of
       _ -> []
     setField values scene = case (fieldGet field scene, trackValue (fieldKind field) values) of
       (Just _, Just value) -> Right (fieldSet field value scene)
-      (Nothing, _) -> Left (Problem label "a key" "possible: the scene has no such thing")
-      (_, Nothing) -> Left (Problem label (show values) "a value of this field")
+      (Nothing, _) -> Left (Mistake label "has no effect, because the scene has no such value")
+      (_, Nothing) -> Left (Problem label (show values) "a value of this setting")
 
 within :: String -> String
 within name = animationKey ++ "." ++ name
 
--- | The members of a group: values of known entries with their lines, the nodes
--- of some other keys, and faults.
+-- | The members of a group: values of known keys with their lines, the nodes of the
+-- groups inside it, and the problems of the other members.
 entriesOf :: [String] -> [Entry] -> [String] -> Node -> ([(String, (Int, Value))], [(String, Node)], Faults)
 entriesOf = entriesWith (const False)
 
--- | The same, where keys that satisfy a predicate are somebody else's business.
+-- | The same, without the keys that satisfy a predicate.
 entriesWith :: (String -> Bool) -> [String] -> [Entry] -> [String] -> Node -> ([(String, (Int, Value))], [(String, Node)], Faults)
-entriesWith foreign' above entries groups node = case node of
+entriesWith skipped above entries groups node = case node of
   Mapping _ members -> foldMap (member members) (zip [0 :: Int ..] members)
-  _ -> ([], [], [(nodeLine node, Problem (intercalate "." above) (nodeText node) ("a group of settings; there are: " ++ intercalate ", " names))])
+  _ -> ([], [], [(nodeLine node, Problem (intercalate "." above) (nodeText node) ("a group of settings; the settings here are: " ++ intercalate ", " names))])
   where
     names = map entryName entries ++ groups
     member members (i, (line, key, value))
-      | foreign' key = ([], [], [])
-      | key `elem` [k | (j, (_, k, _)) <- zip [0 ..] members, j < i] = wrong line ("a second '" ++ key ++ "'") "possible"
+      | skipped key = ([], [], [])
+      | key `elem` [k | (j, (_, k, _)) <- zip [0 ..] members, j < i] = ([], [], [(line, Mistake (intercalate "." (above ++ [key])) "given twice")])
       | key `elem` groups = ([], [(key, value)], [])
       | Just entry <- find ((== key) . entryName) entries = case readNode (entryKind entry) value of
         Left expected -> wrong (nodeLine value) (nodeText value) expected
         Right v -> case rangeFault (entryKind entry) v of
           Nothing -> ([(key, (line, v))], [], [])
           Just range -> wrong line (showValue v) range
-      | otherwise = wrong line ("'" ++ key ++ "'") ("a key of " ++ intercalate "." above ++ suggestion key names ++ "; there are: " ++ intercalate ", " names)
+      | otherwise = wrong line ("'" ++ key ++ "'") ("a key of " ++ intercalate "." above ++ suggestion key names ++ "; its keys are: " ++ intercalate ", " names)
       where
         wrong at text range = ([], [], [(at, Problem (intercalate "." (above ++ [key])) text range)])
 

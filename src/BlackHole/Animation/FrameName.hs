@@ -1,23 +1,26 @@
--- | File names with a place for the frame's number, as in @frames\/%05d.png@.
+-- | File names with a placeholder for the frame number, such as @frames\/%05d.png@.
 module BlackHole.Animation.FrameName
   ( FrameName,
     parseFrameName,
     framePattern,
     frameFile,
+    frameNumber,
   )
 where
 
 import Data.Char (isDigit)
-import System.FilePath (takeDirectory)
+import Data.List (stripPrefix)
+import System.FilePath (takeDirectory, takeFileName)
 import Text.Read (readMaybe)
 
--- | A pattern with one place for a number: what goes before, its least number
--- of digits, what follows.
+-- | A pattern with one placeholder: the text before it, the minimum number of digits,
+-- and the text after it.
 data FrameName = FrameName !String !Int !String
   deriving (Eq, Show)
 
--- | Read a pattern: one of @%d@ and @%05d@ (any width to 20) in the file's name, not in its
--- folder's; @%%@ is a per cent sign. On the left, what would be right.
+-- | Parses a pattern with one @%d@ or @%05d@ (any width up to 20) in the name of the
+-- file, not of its folder; @%%@ is a per cent sign. 'Left' holds what a valid pattern
+-- looks like.
 parseFrameName :: String -> Either String FrameName
 parseFrameName text = case go text of
   Just (before, Just (digits, after))
@@ -42,16 +45,23 @@ parseFrameName text = case go text of
     fieldWidth width@('0' : _) | Just n <- readMaybe width, n <= 20 = Just n
     fieldWidth _ = Nothing
 
--- | The pattern as it would be written.
+-- | The pattern as a user writes it.
 framePattern :: FrameName -> String
 framePattern (FrameName before digits after) =
   escaped before ++ (if digits == 0 then "%d" else "%0" ++ show digits ++ "d") ++ escaped after
   where
     escaped = concatMap (\c -> if c == '%' then "%%" else [c])
 
--- | The file of a frame (from 0).
+-- | The file of a frame, counted from 0.
 frameFile :: FrameName -> Int -> FilePath
 frameFile (FrameName before digits after) n =
   before ++ replicate (digits - length number) '0' ++ number ++ after
   where
     number = show n
+
+-- | The frame whose file has this name, given without its folder.
+frameNumber :: FrameName -> FilePath -> Maybe Int
+frameNumber name@(FrameName before _ after) file = do
+  rest <- stripPrefix (takeFileName before) file
+  n <- readMaybe (take (length rest - length after) rest)
+  if n >= 0 && takeFileName (frameFile name n) == file then Just n else Nothing

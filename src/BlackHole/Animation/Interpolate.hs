@@ -61,10 +61,10 @@ data KeysProblem
     OtherDimension !Int
   deriving (Eq, Show)
 
--- | The problem in words that follow the list's name.
+-- | The problem as one clause.
 renderKeysProblem :: KeysProblem -> String
 renderKeysProblem problem = case problem of
-  NoKeys -> "has no keys"
+  NoKeys -> "there are no keys"
   NotFinite i -> "key " ++ show (i + 1) ++ " holds a number that is not finite"
   NotLater i -> "key " ++ show (i + 1) ++ " is not later than the one before it"
   OtherDimension i -> "key " ++ show (i + 1) ++ " has another number of values than the first"

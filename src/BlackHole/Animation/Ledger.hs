@@ -1,13 +1,13 @@
 {-# LANGUAGE ScopedTypeVariables #-}
 
--- | What is known of a film's frames: a folder @.blackhole@ beside them.
+-- | The ledger of a film's frames: a folder @.blackhole@ next to them.
 --
--- For each finished frame there is a record, a small text with the fingerprints
--- of the frame's scene and of its file; a frame counts as done only if both are
--- what they should be. The file is put into its place first and the record after
--- it, each in one step, so that a program killed at any moment leaves whole
--- frames, and at worst one without its record, which is rendered again. A list
--- of all frames lets anybody see what the film still lacks without its scene.
+-- Each finished frame has a record, a small text with the fingerprints of the frame's
+-- scene and of its file. A frame counts as done only if both match. The program moves
+-- the file into place first and the record after it, each in one step, so a program
+-- killed at any moment leaves complete frames, and at worst one frame without a record,
+-- which is rendered again. A list of all frames shows which ones the film still lacks,
+-- without access to its scene.
 module BlackHole.Animation.Ledger
   ( Ledger,
     openLedger,
@@ -30,6 +30,7 @@ where
 import BlackHole.Animation.Claim
 import BlackHole.Animation.Digest
 import BlackHole.Animation.FrameName
+import BlackHole.Image.AtomicFile (renderWriteProblem, writeFileAtomically)
 import Control.Exception (IOException, catch, finally, onException)
 import Control.Monad (unless, when)
 import qualified Data.ByteString as Bytes
@@ -38,7 +39,7 @@ import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.ByteString.Lazy.Char8 as LazyChar8
 import Data.List (isSuffixOf, sort, stripPrefix)
 import Data.Maybe (mapMaybe)
-import System.Directory (createDirectoryIfMissing, doesFileExist, getFileSize, listDirectory, removeFile, renameFile)
+import System.Directory (createDirectoryIfMissing, doesFileExist, getFileSize, listDirectory, pathIsSymbolicLink, removeFile, renameFile)
 import System.FilePath (takeDirectory, takeFileName, (</>))
 import System.IO (IOMode (WriteMode), withBinaryFile)
 import Text.Read (readMaybe)
@@ -47,13 +48,13 @@ import Text.Read (readMaybe)
 data Ledger = Ledger
   { -- | The pattern of the frames' files.
     ledgerFrameName :: !FrameName,
-    -- | Where claims on frames are made.
+    -- | Where processes claim frames.
     ledgerClaims :: !ClaimFolder
   }
 
--- | Make the frames' folder and the ledger in it if they are missing. Claims
--- from elsewhere count as abandoned after the given seconds. Throws what the
--- file system says.
+-- | Creates the folder of the frames and the ledger in it if they are missing. Claims
+-- from other machines count as abandoned after this many seconds. Throws the exceptions
+-- of the file system.
 openLedger :: FrameName -> Holder -> Double -> IO Ledger
 openLedger name holder patience = do
   createDirectoryIfMissing True folder
@@ -66,28 +67,28 @@ ledgerFolderName = ".blackhole"
 
 -- | The state of a frame's file.
 data Condition
-  = -- | Finished, of the scene asked for, and undamaged.
+  = -- | Finished, for the requested scene, and undamaged.
     Finished !Record
-  | -- | There is no such file.
+  | -- | The file does not exist.
     Missing
-  | -- | The file is of another scene, or nobody knows of which.
+  | -- | The file belongs to another scene, or to an unknown one.
     Stale
-  | -- | The file is not what was written.
+  | -- | The file's contents have changed since it was written.
     Damaged
   deriving (Eq, Show)
 
--- | What is written down about a finished frame.
+-- | The record of a finished frame.
 data Record = Record
   { recordScene :: !Digest,
     recordFile :: !Digest,
     recordBytes :: !Integer,
-    -- | Time that the frame took.
+    -- | The seconds that the frame took.
     recordSeconds :: !Double
   }
   deriving (Eq, Show)
 
--- | The state of a frame that should be of the scene with this fingerprint.
--- Reads the file, unless its size already tells.
+-- | The state of a frame relative to the fingerprint of its scene. Reads the file
+-- unless its size already decides.
 frameCondition :: Ledger -> Int -> Digest -> IO Condition
 frameCondition ledger frame scene = do
   exists <- doesFileExist file
@@ -108,17 +109,23 @@ frameCondition ledger frame scene = do
   where
     file = frameFile (ledgerFrameName ledger) frame
 
--- | Put a frame's file into its place, then its record.
+-- | Moves a frame's file into place, and then its record. A symbolic link stays, and
+-- the file to which it leads is replaced.
 storeFrame :: Ledger -> Int -> Digest -> Double -> Lazy.ByteString -> IO ()
 storeFrame ledger frame scene seconds bytes = do
-  inOneStep ledger name (frameFile (ledgerFrameName ledger) frame) bytes
+  link <- quietly False (pathIsSymbolicLink file)
+  -- The link may lead to another file system.
+  if link
+    then writeFileAtomically file bytes >>= either (ioError . userError . renderWriteProblem) pure
+    else inOneStep ledger name file bytes
   inOneStep ledger name (recordPath ledger frame) . LazyChar8.pack . renderRecord $
     Record scene (digestBytes bytes) (toInteger (Lazy.length bytes)) seconds
   where
+    file = frameFile (ledgerFrameName ledger) frame
     name = frameLabel ledger frame
 
--- | Clear away what a process that is gone has left of a frame that is finished:
--- it may have been killed before it could give its claim back.
+-- | Removes what a dead process has left of a finished frame: it may have been killed
+-- before it could release its claim.
 sweepFrame :: Ledger -> Int -> IO ()
 sweepFrame ledger frame = do
   left <- doesFileExist (claimFile claims name)
@@ -131,13 +138,13 @@ sweepFrame ledger frame = do
     claims = ledgerClaims ledger
     name = frameLabel ledger frame
 
--- | Remove what a holder that is gone may have left of a frame.
+-- | Removes what a dead holder may have left of a frame.
 removeLeftOver :: Ledger -> Int -> Holder -> IO ()
 removeLeftOver ledger frame holder =
   quietly () (removeFile (partPath ledger (frameLabel ledger frame) holder))
 
--- Whoever is killed while he writes leaves the part behind under a name that
--- whoever takes over his claim can tell.
+-- A process that is killed while writing leaves its temporary file behind, under a name
+-- that the process which takes over its claim can determine.
 inOneStep :: Ledger -> String -> FilePath -> Lazy.ByteString -> IO ()
 inOneStep ledger name target bytes =
   (withBinaryFile part WriteMode (`Lazy.hPut` bytes) >> renameFile part target)
@@ -152,7 +159,7 @@ partPath ledger name holder =
 recordPath :: Ledger -> Int -> FilePath
 recordPath ledger frame = ledgerPath ledger </> (frameLabel ledger frame ++ ".done")
 
--- | What the frame is called in the ledger: the name of its file.
+-- | The frame's name in the ledger, which is the name of its file.
 frameLabel :: Ledger -> Int -> String
 frameLabel ledger = takeFileName . frameFile (ledgerFrameName ledger)
 
@@ -180,9 +187,9 @@ parseRecord text =
       [value] -> Just value
       _ -> Nothing
 
--- | Write down which frames there are to be, with the fingerprints of their
--- scenes; takes the place of an earlier list of the same pattern. If another
--- process is writing one at this moment, that is the later one.
+-- | Writes the list of all frames with the fingerprints of their scenes. Replaces an
+-- earlier list for the same pattern. If another process is writing a list at the same
+-- time, that one counts as the later.
 writeFrameList :: Ledger -> [(Int, Digest)] -> IO ()
 writeFrameList ledger frames = do
   claimed <- takeClaim claims name
@@ -202,8 +209,8 @@ writeFrameList ledger frames = do
 listExtension :: String
 listExtension = ".film"
 
--- | All lists in a folder of frames, with their patterns; none if there is no
--- ledger. Lists that are not legible are left out.
+-- | All lists in a folder of frames with their patterns; empty without a ledger. Lists
+-- that are not legible are left out.
 readFrameLists :: FilePath -> IO [(FrameName, [(Int, Digest)])]
 readFrameLists folder = do
   names <- quietly [] (listDirectory ledger)
@@ -221,7 +228,7 @@ readFrameLists folder = do
       [frame, digest] -> (,) <$> readMaybe frame <*> parseDigest digest
       _ -> Nothing
 
--- A text of our own, whatever its bytes have become.
+-- Reads a file that this program wrote, whatever its bytes have become.
 readWhole :: FilePath -> IO String
 readWhole = fmap Char8.unpack . Bytes.readFile
 

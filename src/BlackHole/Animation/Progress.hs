@@ -1,4 +1,4 @@
--- | How far a film is, in words and bars.
+-- | Progress of a film as text and as a bar.
 module BlackHole.Animation.Progress
   ( Tally (..),
     startTally,
@@ -13,28 +13,28 @@ where
 
 import Numeric (showFFloat)
 
--- | What a run has done so far of the frames it was given.
+-- | The work that a run has done so far on its frames.
 data Tally = Tally
-  { -- | Frames of this run in all.
+  { -- | Total number of frames of this run.
     tallyFrames :: !Int,
-    -- | Frames that were there already.
+    -- | Number of frames that already existed.
     tallyFound :: !Int,
     tallyRendered :: !Int,
     tallyFailed :: !Int,
-    -- | Frames that other processes are at.
+    -- | Number of frames that other processes are rendering.
     tallyElsewhere :: !Int,
-    -- | How much of the frame in work is done, 0 to 1.
+    -- | The finished fraction of the current frame, 0 to 1.
     tallyPart :: !Double,
-    -- | Since the first frame's rendering began.
+    -- | Seconds since rendering of the first frame began.
     tallySeconds :: !Double
   }
   deriving (Eq, Show)
 
--- | Nothing done of some frames.
+-- | The tally at the start of a run of this many frames.
 startTally :: Int -> Tally
 startTally frames = Tally frames 0 0 0 0 0 0
 
--- | Rendered frames over time; 'Nothing' before there is any to go by.
+-- | Rendered frames per second; 'Nothing' while there are too few to tell.
 framesPerSecond :: Tally -> Maybe Double
 framesPerSecond tally
   | made > 0 && tallySeconds tally > 0 = Just (made / tallySeconds tally)
@@ -42,15 +42,15 @@ framesPerSecond tally
   where
     made = fromIntegral (tallyRendered tally) + tallyPart tally
 
--- | The time that the rest will take at the pace so far.
+-- | Estimated seconds for the remaining frames at the pace so far.
 secondsLeft :: Tally -> Maybe Double
 secondsLeft tally = (remaining /) <$> framesPerSecond tally
   where
     settled = tallyFound tally + tallyRendered tally + tallyFailed tally + tallyElsewhere tally
     remaining = max 0 (fromIntegral (tallyFrames tally - settled) - tallyPart tally)
 
--- | One line: frames done of all, the frame in work and its part, the pace, the
--- time left.
+-- | One line with the finished and total number of frames, the current frame and its
+-- finished fraction, the pace, and the time left.
 progressLine :: Maybe Int -> Tally -> String
 progressLine current tally =
   concat
@@ -64,14 +64,14 @@ progressLine current tally =
       if tallyFailed tally > 0 then ", " ++ show (tallyFailed tally) ++ " failed" else ""
     ]
 
--- | A bar of that many characters.
+-- | A bar with this many characters.
 progressBar :: Int -> Tally -> String
 progressBar width tally = "[" ++ replicate full '=' ++ replicate (width - full) ' ' ++ "]"
   where
     settled = fromIntegral (tallyFound tally + tallyRendered tally) + tallyPart tally
     full = max 0 (min width (floor (fromIntegral width * settled / fromIntegral (max 1 (tallyFrames tally)) :: Double)))
 
--- | Seconds as @M:SS@ or @H:MM:SS@.
+-- | Formats seconds as @M:SS@ or @H:MM:SS@.
 durationText :: Double -> String
 durationText seconds
   | hours > 0 = show hours ++ ":" ++ two minutes ++ ":" ++ two rest
@@ -82,7 +82,7 @@ durationText seconds
     (minutes, rest) = within `quotRem` 60
     two n = (if n < 10 then "0" else "") ++ show n
 
--- | Frame numbers in growing order, with neighbours put together: @0-3, 7@.
+-- | Formats frame numbers in ascending order, with consecutive ones joined: @0-3, 7@.
 frameRanges :: [Int] -> String
 frameRanges [] = "none"
 frameRanges (first : rest) = go first first rest

@@ -1,5 +1,5 @@
--- | Work through a film's frames beside any number of other processes, and over
--- any number of interruptions.
+-- | The work queue of a film's frames, shared with any number of other processes and
+-- resumable after interruptions.
 module BlackHole.Animation.Queue
   ( Job (..),
     Outcome (..),
@@ -17,7 +17,7 @@ import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (for_)
 import GHC.Clock (getMonotonicTime)
 
--- | A frame to be made.
+-- | A frame to be rendered.
 data Job = Job
   { jobFrame :: !Int,
     -- | The fingerprint of its scene.
@@ -25,34 +25,35 @@ data Job = Job
   }
   deriving (Eq, Show)
 
--- | What became of a frame.
+-- | The outcome of a frame.
 data Outcome
-  = -- | It was there already.
+  = -- | It was already finished.
     WasDone
-  | -- | It is there now; after so many seconds.
+  | -- | It is now finished; the seconds it took.
     Rendered !Double
-  | -- | Another process is at it.
+  | -- | Another process is rendering it.
     Elsewhere !(Maybe Holder)
-  | -- | Why it could not be made.
+  | -- | The reason why it could not be rendered.
     Failed !String
   deriving (Eq, Show)
 
--- | What to do about frames that other processes are at.
+-- | What to do about frames that other processes are rendering.
 data Patience
-  = -- | Leave them.
+  = -- | Leave them to those processes.
     LeaveOthers
-  | -- | Wait until they are done, or abandoned and then taken over.
+  | -- | Wait until they are finished, or until they are abandoned and can be taken
+    -- over.
     WaitForOthers
   deriving (Eq, Show)
 
--- | Make what is missing, stale or damaged of the frames, in order. The
--- callbacks hear of each frame when its rendering begins, with the state it was
--- in, and when its outcome is known; a frame that others are at is told of once,
--- when it is left. The outcomes are returned in the order of the jobs.
+-- | Renders the missing, stale and damaged frames in order. One callback is called with
+-- each frame and its former state when its rendering begins, the other when its outcome
+-- is known. A frame that another process is rendering is reported once, when it is left
+-- to that process. The outcomes are returned in the order of the jobs.
 --
--- A frame that fails, by a message of the renderer or an exception, does not
--- keep the others from being made; exceptions from outside (an interrupt) end
--- all of it, and the frame's claim is given back.
+-- A frame that fails, by a message of the renderer or an exception, does not stop the
+-- others. Asynchronous exceptions (an interrupt) end all work and release the claim on
+-- the current frame.
 workThrough ::
   Ledger ->
   Patience ->
@@ -93,7 +94,7 @@ workThrough ledger patience begun ended render jobs = do
             Claimed former ->
               keepingAlive claims (name job) (underClaim job former)
                 `finally` releaseClaim claims (name job)
-    -- Between the look and the claim, somebody may have finished the frame.
+    -- Another process may have finished the frame between the check and the claim.
     underClaim job former = do
       for_ former (removeLeftOver ledger (jobFrame job))
       condition <- frameCondition ledger (jobFrame job) (jobScene job)
@@ -106,7 +107,7 @@ workThrough ledger patience begun ended render jobs = do
           case rendered of
             Left reason -> pure (Failed reason)
             Right bytes -> do
-              -- What is lazy in them is part of the work.
+              -- Evaluating the lazy bytes is part of the work.
               _ <- evaluate (Lazy.length bytes)
               seconds <- subtract start <$> getMonotonicTime
               storeFrame ledger (jobFrame job) (jobScene job) seconds bytes

@@ -19,11 +19,12 @@ import BlackHole.Animation.FrameName
 import BlackHole.Animation.Ledger
 import BlackHole.Animation.Progress
 import BlackHole.Animation.Queue
-import BlackHole.Animation.Video (VideoKind)
+import BlackHole.Animation.Video (VideoCoding)
 import qualified BlackHole.Render.Film as Light
 import BlackHole.Render.Workers (Workers)
 import BlackHole.Scene.Scene
 import BlackHole.Trace.SkyImage (SkyImage)
+import Control.Concurrent.Async (wait, withAsync)
 import Control.Concurrent.MVar (modifyMVar_, newMVar, readMVar)
 import Control.Exception (onException)
 import Control.Monad (forM_, join, when)
@@ -45,7 +46,7 @@ data Shooting = Shooting
     shootingPatience :: !Double,
     shootingWorkers :: !Workers,
     -- | The film file with the program that codes it.
-    shootingVideo :: !(Maybe (FilePath, VideoKind, FilePath)),
+    shootingVideo :: !(Maybe (FilePath, VideoCoding, FilePath)),
     -- | The picture of the sky if that of the film is a panorama.
     shootingSky :: !(Maybe SkyImage),
     -- | A text that is equal for equal scenes and skies, and says which program this is.
@@ -87,23 +88,27 @@ shoot :: Shooting -> (Told -> IO ()) -> IO Shot
 shoot shooting listen = do
   holder <- currentHolder
   ledger <- openLedger (shootingName shooting) holder (shootingPatience shooting)
-  writeFrameList ledger [(n, digest) | n <- [0 .. filmFrames film - 1], Right digest <- [digestOf n]]
-  state <- newMVar (startTally (length frames))
-  clock <- newIORef Nothing
-  feed <- traverse (\(coder, kind, target) -> startFeed coder kind (filmRate film) target (shootingName shooting) frames) (shootingVideo shooting)
-  forM_ (feed >>= feedFault) (listen . Remark . ("the film file cannot be made: " ++))
-  let run =
-        workThrough ledger patience (begun state clock) (ended state clock feed) (render state clock) $
-          [Job n (fromRight (digestText "") (digestOf n)) | n <- frames]
-  outcomes <- run `onException` mapM_ abandonFeed feed
-  fault <- join <$> traverse finishFeed feed
-  tally <- readMVar state
-  pure (Shot tally [(jobFrame job, outcome) | (job, outcome) <- outcomes] fault)
+  -- For a film of hours the list takes minutes, which need not come first.
+  withAsync (writeFrameList ledger [(n, digest) | n <- [0 .. filmFrames film - 1], Right digest <- [digestOf n]]) $ \listing -> do
+    shot <- shootFrames ledger
+    shot <$ wait listing
   where
     film = shootingFilm shooting
     frames = shootingFrames shooting
     patience = maybe LeaveOthers (const WaitForOthers) (shootingVideo shooting)
     digestOf n = frameDigest (shootingText shooting) <$> frameScenes film n
+    shootFrames ledger = do
+      state <- newMVar (startTally (length frames))
+      clock <- newIORef Nothing
+      feed <- traverse (\(coder, kind, target) -> startFeed coder kind (filmRate film) target (shootingName shooting) frames) (shootingVideo shooting)
+      forM_ (feed >>= feedFault) (listen . Remark . ("the film file cannot be made: " ++))
+      let run =
+            workThrough ledger patience (begun state clock) (ended state clock feed) (render state clock) $
+              [Job n (fromRight (digestText "") (digestOf n)) | n <- frames]
+      outcomes <- run `onException` mapM_ abandonFeed feed
+      fault <- join <$> traverse finishFeed feed
+      tally <- readMVar state
+      pure (Shot tally [(jobFrame job, outcome) | (job, outcome) <- outcomes] fault)
     begun state clock job condition = do
       now <- getMonotonicTime
       -- The pace is that of rendering, without the look at what is there.

@@ -1,4 +1,4 @@
--- | What a folder of frames lacks, for whoever asks from outside.
+-- | The status of a folder of frames, for a process that renders none of them.
 module BlackHole.Animation.Status
   ( FilmStatus (..),
     filmStatuses,
@@ -12,21 +12,21 @@ import BlackHole.Animation.FrameName
 import BlackHole.Animation.Ledger
 import BlackHole.Animation.Progress (frameRanges)
 
--- | The frames of one film, each in one list only.
+-- | The frames of one film, each in exactly one of the lists.
 data FilmStatus = FilmStatus
   { statusName :: !FrameName,
     statusDone :: ![Int],
-    -- | Those in work, with who is at them.
+    -- | Frames in progress, with their holders.
     statusRunning :: ![(Int, Maybe Holder)],
     statusMissing :: ![Int],
-    -- | Of another scene than the film's last start asked for.
+    -- | Frames of a different scene than the film's latest run asked for.
     statusStale :: ![Int],
     statusDamaged :: ![Int]
   }
 
--- | All films in a folder, by the lists that their starts have left. Reads
--- every finished frame once. Claims from other machines count as abandoned after
--- the given seconds without a touch.
+-- | The status of all films in a folder, from the lists that their runs left. Reads
+-- every finished frame once. Claims of other machines count as abandoned after this
+-- many seconds without a touch.
 filmStatuses :: FilePath -> Double -> IO [FilmStatus]
 filmStatuses folder patience = do
   lists <- readFrameLists folder
@@ -63,7 +63,7 @@ isComplete :: FilmStatus -> Bool
 isComplete status =
   null (statusRunning status) && null (statusMissing status) && null (statusStale status) && null (statusDamaged status)
 
--- | The status for people: a line of counts, then what is not done.
+-- | The status as text: a line of counts, followed by the frames that are not done.
 statusLines :: FilmStatus -> [String]
 statusLines status =
   ( framePattern (statusName status) ++ ": " ++ show total ++ " frames, " ++ show (length (statusDone status)) ++ " done, "

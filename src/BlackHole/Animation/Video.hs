@@ -5,6 +5,10 @@ module BlackHole.Animation.Video
   ( VideoKind (..),
     videoKind,
     videoExtensions,
+    VideoCodec (..),
+    videoCodecs,
+    VideoCoding (..),
+    videoCodingProblems,
     ffmpegArguments,
     Video,
     findCoder,
@@ -16,13 +20,18 @@ module BlackHole.Animation.Video
 where
 
 import BlackHole.Image.PartFile
+import BlackHole.Scene.Problem (Problem (..))
+import Control.Applicative ((<|>))
 import Control.Concurrent.Async (Async, async, cancel, wait)
 import Control.Concurrent.Chan (Chan, newChan, readChan, writeChan)
 import Control.Exception (IOException, catch, mask_, try)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Char8
 import Data.Char (toLower)
+import Data.Either (fromRight)
 import Data.Functor (($>))
+import Data.List (intercalate)
+import Data.Maybe (fromMaybe, isJust, listToMaybe)
 import Numeric (showFFloat)
 import System.Directory (findExecutable, removeFile, renameFile)
 import System.Exit (ExitCode (..))
@@ -54,28 +63,78 @@ videoExtension kind = case kind of
   WebM -> ".webm"
   Gif -> ".gif"
 
--- | ffmpeg's arguments: PNG files one after the other on its standard input, at
--- some frames per second, into a file. The colours are said to be what they
--- are: sRGB's primaries and curve, coded with the matrix of BT.709. H.264 and
--- VP9 halve the resolution of colour, which takes even sides: a row or column
--- of black is added to odd ones.
-ffmpegArguments :: VideoKind -> Double -> FilePath -> [String]
-ffmpegArguments kind rate output =
+-- | The codecs of film files.
+data VideoCodec = H264 | H265 | Vp9 | Av1
+  deriving (Eq, Show, Enum, Bounded)
+
+-- | The codecs with their names on the command line.
+videoCodecs :: [(String, VideoCodec)]
+videoCodecs = [("h264", H264), ("h265", H265), ("vp9", Vp9), ("av1", Av1)]
+
+-- | The codecs that a kind of file can hold, the default first.
+kindCodecs :: VideoKind -> [VideoCodec]
+kindCodecs kind = case kind of
+  Mp4 -> [H264, H265, Av1]
+  WebM -> [Vp9, Av1]
+  Gif -> []
+
+-- | How to encode a film file.
+data VideoCoding = VideoCoding
+  { videoCodingKind :: !VideoKind,
+    -- | Without a codec, the kind's default.
+    videoCodingCodec :: !(Maybe VideoCodec),
+    -- | The codec's constant rate factor: smaller numbers mean better quality and
+    -- larger files. Without one, a default for high quality.
+    videoCodingCrf :: !(Maybe Int)
+  }
+  deriving (Eq, Show)
+
+-- | The problems of an encoding: a codec that the kind of file cannot hold, or a rate
+-- factor out of the codec's range.
+videoCodingProblems :: VideoCoding -> [Problem]
+videoCodingProblems (VideoCoding kind codec crf) = case (kindCodecs kind, codec) of
+  ([], _) -> [Mistake option "has no effect on a GIF" | (option, True) <- [("--codec", isJust codec), ("--crf", isJust crf)]]
+  (codecs, Just own) | own `notElem` codecs -> [Problem "--codec" (nameOf own) ("a codec of " ++ videoExtension kind ++ " files; the choices are: " ++ intercalate ", " (map nameOf codecs))]
+  (standard : _, _) ->
+    [ Problem "--crf" (show n) ("a whole number from 0 to " ++ show most ++ " (for " ++ nameOf own ++ ")")
+      | let own = fromMaybe standard codec,
+        let most = if own `elem` [H264, H265] then 51 else 63,
+        Just n <- [crf],
+        n < 0 || n > most
+    ]
+  where
+    nameOf c = concat [name | (name, named) <- videoCodecs, named == c]
+
+-- | The arguments for ffmpeg to read PNG files one after the other from its standard
+-- input and write a film of some frames per second to a file. They declare the colours
+-- as they are: the primaries and the transfer curve of sRGB with the matrix of BT.709.
+-- All codecs halve the resolution of colour, which takes even sides: odd ones get a row
+-- or column of black.
+ffmpegArguments :: VideoCoding -> Double -> FilePath -> [String]
+ffmpegArguments (VideoCoding kind codec crf) rate output =
   ["-hide_banner", "-loglevel", "error", "-nostats", "-y"]
     ++ ["-f", "image2pipe", "-framerate", showFFloat Nothing rate "", "-c:v", "png", "-i", "-"]
     ++ coding
     ++ ["file:" ++ output]
   where
-    coding = case kind of
-      Mp4 -> ["-vf", planes, "-c:v", "libx264", "-preset", "slow", "-crf", "16"] ++ colours ++ ["-movflags", "+faststart", "-f", "mp4"]
-      WebM -> ["-vf", planes, "-c:v", "libvpx-vp9", "-crf", "24", "-b:v", "0"] ++ colours ++ ["-f", "webm"]
-      Gif -> ["-filter_complex", "split[a][b];[a]palettegen[p];[b][p]paletteuse=dither=sierra2_4a", "-loop", "0", "-f", "gif"]
+    coding = case (fromMaybe H264 (codec <|> listToMaybe (kindCodecs kind)), kind) of
+      (_, Gif) -> ["-filter_complex", "split[a][b];[a]palettegen[p];[b][p]paletteuse=dither=sierra2_4a", "-loop", "0", "-f", "gif"]
+      (own, _) -> ["-vf", planes] ++ encoder own ++ colours ++ container
+    encoder own = case own of
+      H264 -> ["-c:v", "libx264", "-preset", "slow"] ++ quality 16
+      H265 -> ["-c:v", "libx265", "-preset", "slow", "-x265-params", "log-level=error"] ++ quality 18 ++ ["-tag:v", "hvc1"]
+      Vp9 -> ["-c:v", "libvpx-vp9"] ++ quality 24 ++ ["-b:v", "0"]
+      Av1 -> ["-c:v", "libsvtav1", "-preset", "5"] ++ quality 24
+    quality standard = ["-crf", show (fromMaybe standard crf)]
+    container = case kind of
+      WebM -> ["-f", "webm"]
+      _ -> ["-movflags", "+faststart", "-f", "mp4"]
     planes = "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv,format=yuv420p"
     colours = ["-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "iec61966-2-1", "-color_range", "tv"]
 
 -- | ffmpeg, if it is installed. Without a variable PATH there is nowhere to look.
 findCoder :: IO (Maybe FilePath)
-findCoder = either (const Nothing) id <$> reasonOf (findExecutable "ffmpeg")
+findCoder = fromRight Nothing <$> reasonOf (findExecutable "ffmpeg")
 
 -- | A film file in the making.
 data Video = Video
@@ -93,15 +152,15 @@ data Video = Video
 -- | Start a coder (its program's path) on a film of some frames per second. The
 -- film file appears only by 'finishVideo', complete. On the left, why it could
 -- not be started.
-startVideo :: FilePath -> VideoKind -> Double -> FilePath -> IO (Either String Video)
-startVideo coder kind rate target = mask_ $ do
+startVideo :: FilePath -> VideoCoding -> Double -> FilePath -> IO (Either String Video)
+startVideo coder coding rate target = mask_ $ do
   sweepPartFiles (takeDirectory target)
-  opened <- reasonOf (openPartFile (takeDirectory target) (videoExtension kind))
+  opened <- reasonOf (openPartFile (takeDirectory target) (videoExtension (videoCodingKind coding)))
   case opened of
     Left reason -> pure (Left reason)
     Right (part, handle) -> do
       hClose handle
-      launched <- reasonOf . createProcess $ (proc coder (ffmpegArguments kind rate part)) {std_in = CreatePipe, std_err = CreatePipe}
+      launched <- reasonOf . createProcess $ (proc coder (ffmpegArguments coding rate part)) {std_in = CreatePipe, std_err = CreatePipe}
       case launched of
         Right (Just input, Nothing, Just complaints, process) -> do
           hSetBinaryMode input True

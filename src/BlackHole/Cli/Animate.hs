@@ -1,9 +1,10 @@
--- | @blackhole animate@: a film's frames, beside other processes and across
--- interruptions.
+-- | @blackhole animate@: renders the frames of a film, together with other processes and
+-- across interruptions.
 module BlackHole.Cli.Animate
   ( AnimateOptions (..),
     ShardChoice (..),
     animateOptions,
+    framePatternOf,
     adjustFilm,
     Ending (..),
     runFilm,
@@ -11,15 +12,20 @@ module BlackHole.Cli.Animate
   )
 where
 
+import BlackHole.Animation.CameraPath (CameraPath (Orbit))
 import BlackHole.Animation.Film
 import BlackHole.Animation.FrameName
+import BlackHole.Animation.Interpolate (Interpolation (Linear))
 import BlackHole.Animation.Shoot
 import BlackHole.Animation.Status
 import BlackHole.Animation.Video
 import BlackHole.Cli.AnimateReport
+import BlackHole.Cli.Check
 import BlackHole.Cli.CodingOptions (codingOptions)
 import BlackHole.Cli.FilmScene (frameFaults, maximumFaults)
+import BlackHole.Cli.Progress (ProgressMode (..))
 import BlackHole.Cli.Read
+import BlackHole.Cli.RunOptions
 import BlackHole.Image.AtomicFile (printable)
 import BlackHole.Image.Coding (Coding)
 import qualified BlackHole.Render.Film as Light
@@ -28,12 +34,15 @@ import BlackHole.Render.Workers
 import BlackHole.Scene.Scene (Scene)
 import BlackHole.Scene.Validate
 import BlackHole.Trace.SkyImage (SkyImage)
+import BlackHole.Vector.XYZ (XYZ (..))
 import Control.Exception (IOException, try)
+import Control.Monad (unless, when)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (isDigit, toLower)
+import Data.Foldable (toList)
 import Data.List (intercalate)
 import Data.List.NonEmpty (NonEmpty)
-import Data.Maybe (fromMaybe, listToMaybe)
+import Data.Maybe (fromMaybe, isJust, listToMaybe)
 import Options.Applicative
 import System.Directory (doesDirectoryExist)
 import System.Environment (getEnvironment)
@@ -43,10 +52,12 @@ import Text.Read (readMaybe)
 -- | The options of @blackhole animate@, with those of the scene.
 data AnimateOptions scene = AnimateOptions
   { animateScene :: !scene,
-    -- | The frames' files, as 'parseFrameName' reads them.
-    animateOutput :: !String,
+    -- | The value of @--output@, if it is given; see 'framePatternOf'.
+    animateOutput :: !(Maybe String),
     animateCoding :: !Coding,
-    -- | First and last frame; without a last one, all from the first on.
+    -- | Degrees around the hole.
+    animateOrbit :: !(Maybe Double),
+    -- | First and last frame; without a last one, all frames from the first.
     animateFrames :: !(Maybe (Int, Maybe Int)),
     animateRate :: !(Maybe Double),
     animateDuration :: !(Maybe Double),
@@ -54,17 +65,24 @@ data AnimateOptions scene = AnimateOptions
     animateShutterSamples :: !(Maybe Int),
     animateShard :: !(Maybe ShardChoice),
     animateVideo :: !(Maybe FilePath),
+    animateCodec :: !(Maybe VideoCodec),
+    animateCrf :: !(Maybe Int),
     animateThreads :: !(Maybe Int),
     animatePatience :: !Double,
-    -- | Tell about this folder's films instead.
-    animateStatus :: !(Maybe FilePath)
+    -- | Report on the films in this folder instead.
+    animateStatus :: !(Maybe FilePath),
+    animateReporting :: !Reporting
   }
   deriving (Eq, Show)
 
--- | Which part of a film to make.
+-- | The pattern of the frames' files, which 'parseFrameName' reads.
+framePatternOf :: AnimateOptions scene -> String
+framePatternOf = fromMaybe "frames/%05d.png" . animateOutput
+
+-- | Which part of a film to render.
 data ShardChoice
   = TheShard !Shard
-  | -- | That of a task of a Slurm array job.
+  | -- | The part of this task of a Slurm array job.
     SlurmShard
   deriving (Eq, Show)
 
@@ -73,25 +91,29 @@ animateOptions :: Parser scene -> Parser (AnimateOptions scene)
 animateOptions scene =
   AnimateOptions
     <$> scene
-    <*> settingOr "frames/%05d.png" (strOption (long "output" <> short 'o' <> metavar "PATTERN" <> help "Frames' files, with a place for their number (default: frames/%05d.png)"))
+    <*> setting (strOption (long "output" <> short 'o' <> metavar "PATTERN" <> action "file" <> help "Files of the frames; %05d stands for the frame number (default: frames/%05d.png)"))
     <*> codingOptions
-    <*> setting (option frameRange (long "frames" <> metavar "A-B" <> help "Only these frames, counted from 0: A, A- or A-B"))
-    <*> setting (option number (long "fps" <> metavar "F" <> help "Frames per second; the film lasts as long as before"))
-    <*> setting (option number (long "duration" <> metavar "SECONDS" <> help "Length of the film"))
-    <*> setting (option number (long "shutter" <> metavar "PART" <> help "Motion blur: the part of a frame's time for which the shutter is open, 0 to 1"))
-    <*> setting (option wholeNumber (long "shutter-samples" <> metavar "N" <> help "Moments averaged in each frame with an open shutter; the time it takes grows with them"))
-    <*> setting (option shardChoice (long "shard" <> metavar "I/N|slurm" <> help "Only part I of N, every N-th frame; slurm: this array task's part"))
-    <*> setting (strOption (long "video" <> metavar "FILE" <> help ("Also make a film file of the frames with ffmpeg: " ++ intercalate ", " videoExtensions)))
-    <*> setting (option wholeNumber (long "threads" <> metavar "N" <> help "Workers (default: one per core); the frames are the same for any number"))
-    <*> settingOr 120 (option number (long "stale-after" <> metavar "SECONDS" <> help "Take over a frame of another machine that has given no sign of life for so long (default: 120)"))
-    <*> setting (strOption (long "status" <> metavar "DIR" <> help "Say which frames in a folder are done, running, missing or stale, instead of rendering; the exit code is 0 if all are done"))
+    <*> setting (option number (long "orbit" <> metavar "DEGREES" <> help "Move the camera this far around the hole, about the disk's axis, instead of along the scene file's camera path; needs no scene file"))
+    <*> setting (option frameRange (long "frame-range" <> metavar "A-B" <> help "Render only these frames, counted from 0: A, A- or A-B"))
+    <*> setting (option number (long "fps" <> metavar "F" <> help "Frames per second; does not change the duration (default: the scene file's, or 24)"))
+    <*> setting (option number (long "duration" <> metavar "SECONDS" <> help "Duration of the film (default: the scene file's, or 2)"))
+    <*> setting (option number (long "shutter" <> metavar "FRACTION" <> help "Motion blur: the fraction of the time between frames for which the shutter is open, 0 to 1 (default: the scene file's, or 0)"))
+    <*> setting (option wholeNumber (long "shutter-samples" <> metavar "N" <> help "Moments averaged in each frame with an open shutter; rendering takes N times as long (default: the scene file's, or 8)"))
+    <*> setting (option shardChoice (long "shard" <> metavar "I/N|slurm" <> help "Render only every N-th frame, beginning with the I-th; slurm takes I and N from a Slurm array job"))
+    <*> setting (strOption (long "video" <> metavar "FILE" <> action "file" <> help ("Also make a film file of the frames with ffmpeg: " ++ intercalate ", " videoExtensions)))
+    <*> setting (option (named "a codec" videoCodecs) (long "codec" <> metavar "NAME" <> completeWith (map fst videoCodecs) <> help "Codec of the film file: h264, h265 or av1 for .mp4, vp9 or av1 for .webm (default: h264 or vp9)"))
+    <*> setting (option wholeNumber (long "crf" <> metavar "N" <> help "Constant rate factor of the film file: less is better and larger (default: 16 for h264, 18 for h265, 24 for vp9 and av1)"))
+    <*> threadsOption
+    <*> settingOr 120 (option number (long "stale-after" <> metavar "SECONDS" <> help "Take over a frame if the process on another machine that was rendering it has shown no sign of life for this long (default: 120)"))
+    <*> setting (strOption (long "status" <> metavar "DIR" <> action "directory" <> help "List the frames in a folder that are done, running, missing, outdated or damaged, instead of rendering; the exit code is 0 if all are done"))
+    <*> reporting
 
 frameRange :: ReadM (Int, Maybe Int)
 frameRange = eitherReader $ \text -> case span isDigit text of
   (first, "") | Just n <- count first -> Right (n, Just n)
   (first, "-") | Just n <- count first -> Right (n, Nothing)
   (first, '-' : final) | Just a <- count first, all isDigit final, Just b <- count final, a <= b -> Right (a, Just b)
-  _ -> Left ("'" ++ text ++ "' is not A, A- or A-B, frames counted from 0 with A up to B")
+  _ -> Left ("'" ++ text ++ "' is not a range of frames: A, A- or A-B, counted from 0")
   where
     count digits
       | length digits <= 9 = readMaybe digits
@@ -101,17 +123,18 @@ shardChoice :: ReadM ShardChoice
 shardChoice = eitherReader $ \text -> case (text, parseShard text) of
   ("slurm", _) -> Right SlurmShard
   (_, Just shard) -> Right (TheShard shard)
-  _ -> Left ("'" ++ text ++ "' is not I/N with I from 1 to N, and not slurm")
+  _ -> Left ("'" ++ text ++ "' is not I/N with I from 1 to N, or slurm")
 
--- | The film with what the options say of its frames.
+-- | The film as changed by the options.
 adjustFilm :: AnimateOptions scene -> Film -> Film
 adjustFilm options film =
   film
-    { filmRate = rate,
+    { filmPath = maybe (filmPath film) orbitBy (animateOrbit options),
+      filmRate = rate,
       filmFrames = case (animateDuration options, animateRate options) of
         (Nothing, Nothing) -> filmFrames film
-        -- A rate that makes no sense is complained of by itself.
-        _ | rate > 0 -> round (max 0 (min 1e9 (duration * rate)))
+        -- Numbers that make no sense are reported by 'paceProblems'.
+        _ | rate > 0 && duration > 0 -> round (min 1e9 (duration * rate))
         _ -> filmFrames film,
       filmShutter =
         Shutter
@@ -122,24 +145,26 @@ adjustFilm options film =
     rate = fromMaybe (filmRate film) (animateRate options)
     duration = fromMaybe (filmDuration film) (animateDuration options)
     shutter = filmShutter film
+    orbitBy degrees = Just (Orbit (XYZ 0 1 0) (degrees / 360) Linear)
 
--- | How a film's run ended; what there was to say has been said.
+-- | How a run ended. All messages have been written.
 data Ending
-  = -- | All frames of this run are done, or in work elsewhere.
+  = -- | All frames of this run are done, or other processes are rendering them.
     Complete
-  | -- | Some frames or the film file could not be made.
+  | -- | Some frames or the film file are missing.
     Incomplete
-  | -- | The arguments are wrong.
+  | -- | Invalid options.
     WrongArguments
-  | -- | The film is wrong.
+  | -- | Invalid scene file.
     WrongFilm
-  | -- | The frames or the film file cannot be written here.
+  | -- | The frames or the film file cannot be written.
     CannotStart
   deriving (Eq, Show)
 
--- | Make the film's frames. The second argument says a line to the user; the
--- third is the picture of the sky, if that is a panorama; the fourth is equal for
--- equal scenes, skies and programs; the last makes a frame's file.
+-- | Render the film's frames, given a function that prints a message, the environment
+-- map if the scene has one, a text that is equal for equal scenes, maps and versions of
+-- the program, and a function that makes a frame's file. Also returns the run's result
+-- and its workers, if it got that far.
 runFilm ::
   AnimateOptions scene ->
   (String -> IO ()) ->
@@ -147,44 +172,52 @@ runFilm ::
   (Scene -> String) ->
   (Workers -> NonEmpty Scene -> Light.Exposed -> IO (Maybe Lazy.ByteString)) ->
   Film ->
-  IO Ending
+  IO (Ending, Maybe (Workers, Shot))
 runFilm options say sky text develop film = do
   environment <- getEnvironment
   coder <- findCoder
+  when (filmFrames film > 20000 && filmFrames film <= maximumFrames) $ say ("a film of " ++ show (filmFrames film) ++ " frames, which are checked first")
   case plan options environment coder film of
-    Left (ending, problems) -> ending <$ mapM_ say problems
+    Left (ending, problems) -> (ending, Nothing) <$ mapM_ say problems
     Right (name, frames, video) -> do
       crew <- maybe defaultWorkers pure (workers =<< animateThreads options)
-      teller <- newTeller say
+      teller <- newTeller say mode
       shot <-
         try . withWorkers crew $
           shoot (Shooting film frames name (animatePatience options) crew video sky text (develop crew)) teller
-      clearLine
+      clearLine mode
       case shot of
-        Left refusal -> CannotStart <$ say ("--output: the frames cannot be written: " ++ show (refusal :: IOException))
+        Left refusal -> (CannotStart, Nothing) <$ say ("--output: the frames cannot be written: " ++ show (refusal :: IOException))
         Right done -> do
-          mapM_ say (reportLines done)
-          pure (if isWhole done then Complete else Incomplete)
+          -- In JSON, the last progress report is the summary.
+          unless (reportQuiet reported || mode == JsonProgress) $ say (summaryLine done)
+          mapM_ say (faultLines done)
+          pure (if isWhole done then Complete else Incomplete, Just (crew, done))
+  where
+    reported = animateReporting options
+    mode = progressMode reported
 
--- | What a run is to do, given the environment's variables and the coder of
--- films: the files' names, the frames, the film file. Or why not, in lines.
+-- | The plan of a run, given the environment's variables and the path of ffmpeg: the
+-- pattern of the files, the frames, and how to make the film file. 'Left' has one line
+-- for each mistake.
 plan ::
   AnimateOptions scene ->
   [(String, String)] ->
   Maybe FilePath ->
   Film ->
-  Either (Ending, [String]) (FrameName, [Int], Maybe (FilePath, VideoKind, FilePath))
+  Either (Ending, [String]) (FrameName, [Int], Maybe (FilePath, VideoCoding, FilePath))
 plan options environment coder film = do
   refuse WrongArguments (map renderProblem (usageProblems options film))
   shard <- either (Left . (,) WrongArguments . pure . ("--shard: " ++)) Right (shardOf (animateShard options))
   name <- either (Left . (,) WrongArguments . pure . (("--output: '" ++ output ++ "' is not ") ++)) Right (parseFrameName output)
+  refuse WrongFilm (map renderProblem (paceProblems options film))
   refuse WrongFilm (map renderProblem (filmProblems film))
   let frames = takeShard shard selected
   refuse WrongFilm (take maximumFaults (frameFaults film frames))
-  video <- traverse coded [(kind, file) | Just file <- [animateVideo options], Just kind <- [videoKind file]]
+  video <- traverse coded [(coding, file) | Just file <- [animateVideo options], Just coding <- [videoCodingOf options]]
   Right (name, frames, listToMaybe video)
   where
-    output = animateOutput options
+    output = framePatternOf options
     refuse ending problems = if null problems then Right () else Left (ending, problems)
     shardOf choice = case choice of
       Nothing -> Right wholeShard
@@ -192,10 +225,27 @@ plan options environment coder film = do
       Just SlurmShard -> slurmShard (`lookup` environment)
     selected = case animateFrames options of
       Nothing -> [0 .. filmFrames film - 1]
-      Just (from, to) -> [from .. maybe id min to (filmFrames film - 1)]
-    coded (kind, file) = case coder of
-      Just program -> Right (program, kind, file)
-      Nothing -> Left (CannotStart, ["--video: ffmpeg is not installed (on Debian and Ubuntu: apt-get install ffmpeg); nothing has been rendered"])
+      Just (from, to) -> [from .. fromMaybe (filmFrames film - 1) to]
+    coded (coding, file) = case coder of
+      Just program -> Right (program, coding, file)
+      Nothing -> Left (CannotStart, ["--video: needs ffmpeg, which is not installed (on Debian and Ubuntu: apt-get install ffmpeg); nothing has been rendered"])
+
+videoCodingOf :: AnimateOptions scene -> Maybe VideoCoding
+videoCodingOf options = do
+  kind <- videoKind =<< animateVideo options
+  Just (VideoCoding kind (animateCodec options) (animateCrf options))
+
+-- | Values of options that would be as wrong in the scene file's section on the film.
+paceProblems :: AnimateOptions scene -> Film -> [Problem]
+paceProblems options film =
+  [ Problem "--fps" (show rate) "a number of frames per second from 0.001 to 1000"
+    | Just rate <- [animateRate options],
+      not (rate >= 0.001 && rate <= 1000)
+  ]
+    ++ [ Problem "--duration" (show seconds) ("a duration of 1 to " ++ show maximumFrames ++ " frames at " ++ show (filmRate film) ++ " frames per second")
+         | Just seconds <- [animateDuration options],
+           not (seconds > 0 && filmFrames film >= 1 && filmFrames film <= maximumFrames)
+       ]
 
 usageProblems :: AnimateOptions scene -> Film -> [Problem]
 usageProblems options film =
@@ -203,34 +253,39 @@ usageProblems options film =
     | Just file <- [animateVideo options],
       Nothing <- [videoKind file]
   ]
-    ++ [ Problem "--video" "a part of a film" "possible: make the film file with a run of all its frames, those that are done are not rendered again"
-         | Just _ <- [animateVideo options],
-           Just _ <- [animateShard options]
+    ++ concat
+      [ [Mistake "--video" "cannot be combined with --shard; make the film file in a run of all frames, which renders only those that are missing" | Just _ <- [animateShard options]]
+          ++ [Mistake "--video" ("needs frames in PNG files, not '" ++ pattern' ++ "'") | map toLower (takeExtension pattern') /= ".png"]
+        | Just _ <- [animateVideo options]
+      ]
+    ++ foldMap videoCodingProblems (videoCodingOf options)
+    ++ [ Mistake name "has no effect; it applies only with --video"
+         | Nothing <- [animateVideo options],
+           (name, True) <- [("--codec", isJust (animateCodec options)), ("--crf", isJust (animateCrf options))]
        ]
-    ++ [ Problem "--video" ("with frames in files like '" ++ animateOutput options ++ "'") "possible; name them .png"
-         | map toLower (takeExtension (animateOutput options)) /= ".png",
-           Just _ <- [animateVideo options]
+    ++ [ Mistake "--shutter-samples" "has no effect; it applies only with --shutter above 0"
+         | shutterOpen (filmShutter film) == 0,
+           Just _ <- [animateShutterSamples options]
        ]
-    ++ [ Problem "--threads" (show n) ("a whole number from 1 to " ++ show maximumWorkers)
-         | Just n <- [animateThreads options],
-           Nothing <- [workers n]
+    ++ foldMap (checkNumber "--orbit" ((<= 3.6e6) . abs) "an angle from -3600000 to 3600000 (degrees)") (animateOrbit options)
+    ++ checkThreads (animateThreads options)
+    ++ [ Problem "--frame-range" (show from ++ maybe "" (\end -> if end == from then "" else '-' : show end) to) ("a range of frames of this film, which are 0 to " ++ show (filmFrames film - 1))
+         | Just (from, to) <- [animateFrames options],
+           maximum (from : toList to) >= filmFrames film
        ]
-    ++ [ Problem "--frames" (show from) ("a frame of a film of " ++ show (filmFrames film))
-         | Just (from, _) <- [animateFrames options],
-           from >= filmFrames film
-       ]
-    ++ [ Problem "--stale-after" (show patience) "a number of seconds from 1 on"
+    ++ [ Problem "--stale-after" (show patience) "a number of seconds of at least 1"
          | isNaN patience || patience < 1
        ]
   where
     patience = animatePatience options
+    pattern' = framePatternOf options
 
--- | What a folder's films lack, as text, and whether all are complete. On the left,
--- why there is nothing to say.
+-- | The state of the films in a folder as text; 'Complete' if all their frames are done.
+-- On the left, why there is nothing to report.
 showStatus :: Double -> FilePath -> IO (Either String (Ending, String))
 showStatus patience folder = do
   exists <- doesDirectoryExist folder
   statuses <- if exists then filmStatuses folder patience else pure []
   pure $ case statuses of
-    [] -> Left ("--status: there is no film in " ++ folder ++ (if exists then "" else ", which does not exist"))
+    [] -> Left ("--status: " ++ (if exists then "there is no film in the folder " else "there is no folder ") ++ folder)
     _ -> Right (if all isComplete statuses then Complete else Incomplete, unlines (map printable (concatMap statusLines statuses)))

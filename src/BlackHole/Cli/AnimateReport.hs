@@ -1,9 +1,11 @@
--- | What @blackhole animate@ tells while it runs, and in the end.
+-- | What @blackhole animate@ reports while it runs and at its end.
 module BlackHole.Cli.AnimateReport
   ( newTeller,
     clearLine,
-    reportLines,
+    summaryLine,
+    faultLines,
     isWhole,
+    filmStats,
   )
 where
 
@@ -12,48 +14,84 @@ import BlackHole.Animation.Progress
 import BlackHole.Animation.Queue (Outcome (..))
 import BlackHole.Animation.Shoot
 import BlackHole.Cli.Console (tell)
+import BlackHole.Cli.Json
+import BlackHole.Cli.Progress (ProgressMode (..))
+import BlackHole.Render.Workers (Workers, workersCount)
 import Control.Monad (when)
 import Data.IORef (newIORef, readIORef, writeIORef)
 import qualified Data.Map.Strict as Map
 import GHC.Clock (getMonotonicTime)
+import Numeric (showFFloat)
 import System.IO (hIsTerminalDevice, stderr)
 
--- | A listener that draws a bar on a terminal, and elsewhere writes a line every
--- five seconds.
-newTeller :: (String -> IO ()) -> IO (Told -> IO ())
-newTeller say = do
+-- | A listener that reports progress on standard error: a bar at most ten times a
+-- second, a line every five seconds, or a JSON object at most five times a second and
+-- for the last frame. It passes remarks on to the first argument in any mode.
+newTeller :: (String -> IO ()) -> ProgressMode -> IO (Told -> IO ())
+newTeller say mode = do
   terminal <- hIsTerminalDevice stderr
   start <- getMonotonicTime
-  told <- newIORef (if terminal then start - 1 else start)
-  pure $ \news -> do
-    now <- getMonotonicTime
-    before <- readIORef told
-    case news of
-      Remark line -> clearLine >> say line
-      Progressed current tally
-        | terminal -> when (now - before >= 0.1) $ do
+  told <- newIORef (if mode == BarProgress then start - 1 else start)
+  let every seconds always text = do
+        now <- getMonotonicTime
+        before <- readIORef told
+        when (always || now - before >= seconds) $ do
           writeIORef told now
-          tell ("\r\ESC[K" ++ progressBar 24 tally ++ " " ++ progressLine current tally)
-        | otherwise -> when (now - before >= 5) $ do
-          writeIORef told now
-          tell (progressLine current tally ++ "\n")
+          tell text
+  pure $ \news -> case (news, mode) of
+    (Remark line, _) -> clearLine mode >> say line
+    (_, NoProgress) -> pure ()
+    (Progressed current tally, JsonProgress) -> every 0.2 (isSettled tally) (jsonLine current tally ++ "\n")
+    (Progressed current tally, _)
+      | mode == BarProgress || (mode == AutoProgress && terminal) ->
+        every 0.1 False ("\r\ESC[K" ++ progressBar 24 tally ++ " " ++ progressLine current tally)
+      | otherwise -> every 5 False (progressLine current tally ++ "\n")
+  where
+    isSettled tally = settledFrames tally >= tallyFrames tally
 
--- | Clear the bar from a terminal.
-clearLine :: IO ()
-clearLine = do
+-- | Clear the bar, if this mode draws one.
+clearLine :: ProgressMode -> IO ()
+clearLine mode = do
   terminal <- hIsTerminalDevice stderr
-  when terminal $ tell "\r\ESC[K"
+  when (mode == BarProgress || (mode == AutoProgress && terminal)) $ tell "\r\ESC[K"
 
--- | The end of a run in lines: counts, frames that are in work elsewhere, and
--- what has failed, each reason once.
-reportLines :: Shot -> [String]
-reportLines shot =
-  [summary (shotTally shot)]
-    ++ [ numbered (map fst elsewhere) ++ " in work elsewhere" ++ whose [holder | (_, Just holder) <- elsewhere]
-         | not (null elsewhere)
-       ]
+-- Progress as one JSON object on one line.
+jsonLine :: Maybe Int -> Tally -> String
+jsonLine current tally =
+  "{\"fraction\": " ++ showDouble ((fromIntegral settled + tallyPart tally) / fromIntegral (max 1 (tallyFrames tally)))
+    ++ (", \"frames_done\": " ++ show settled)
+    ++ (", \"frames\": " ++ show (tallyFrames tally))
+    ++ (", \"frame\": " ++ maybe "null" show current)
+    ++ (", \"frames_per_second\": " ++ maybe "null" showDouble (framesPerSecond tally))
+    ++ (", \"seconds\": " ++ showDouble (tallySeconds tally))
+    ++ (", \"seconds_left\": " ++ maybe "null" showDouble (secondsLeft tally))
+    ++ "}"
+  where
+    settled = settledFrames tally
+
+settledFrames :: Tally -> Int
+settledFrames tally = tallyFound tally + tallyRendered tally + tallyFailed tally + tallyElsewhere tally
+
+-- | The counts of a run in one line, such as @48 frames: 40 rendered in 12.3 s, 8 already
+-- done@.
+summaryLine :: Shot -> String
+summaryLine shot =
+  show (tallyFrames tally) ++ (if tallyFrames tally == 1 then " frame: " else " frames: ") ++ show (tallyRendered tally) ++ " rendered"
+    ++ (if tallyRendered tally > 0 then " in " ++ (if tallySeconds tally < 60 then showFFloat (Just 1) (tallySeconds tally) " s" else durationText (tallySeconds tally)) else "")
+    ++ (if tallyFound tally > 0 then ", " ++ show (tallyFound tally) ++ " already done" else "")
+    ++ (if tallyFailed tally > 0 then ", " ++ show (tallyFailed tally) ++ " failed" else "")
+  where
+    tally = shotTally shot
+
+-- | One line each for the frames that other processes are rendering, for every reason
+-- for failures, and for a missing film file.
+faultLines :: Shot -> [String]
+faultLines shot =
+  [ numbered (map fst elsewhere) ++ " being rendered by another process" ++ whose [holder | (_, Just holder) <- elsewhere]
+    | not (null elsewhere)
+  ]
     ++ [numbered (reverse frames) ++ " failed: " ++ reason | (reason, frames) <- Map.toList failed]
-    ++ ["no film file: " ++ reason ++ "; the frames are kept, and another run makes it of them" | Just reason <- [shotVideoFault shot]]
+    ++ ["no film file: " ++ reason ++ "; the frames are kept, and the next run makes the film file from them" | Just reason <- [shotVideoFault shot]]
   where
     elsewhere = [(n, holder) | (n, Elsewhere holder) <- shotOutcomes shot]
     failed = Map.fromListWith (++) [(reason, [n]) | (n, Failed reason) <- shotOutcomes shot]
@@ -61,12 +99,26 @@ reportLines shot =
     whose holders = case holders of
       holder : others -> " (" ++ holderName holder ++ (if null others then "" else ", ...") ++ ")"
       [] -> ""
-    summary tally =
-      show (tallyFrames tally) ++ (if tallyFrames tally == 1 then " frame: " else " frames: ") ++ show (tallyRendered tally) ++ " rendered"
-        ++ (if tallyRendered tally > 0 then " in " ++ durationText (tallySeconds tally) else "")
-        ++ (if tallyFound tally > 0 then ", " ++ show (tallyFound tally) ++ " were done" else "")
-        ++ (if tallyFailed tally > 0 then ", " ++ show (tallyFailed tally) ++ " failed" else "")
 
--- | Whether nothing has failed.
+-- | Whether no frame has failed and the film file, if any, is complete.
 isWhole :: Shot -> Bool
 isWhole shot = null [() | (_, Failed _) <- shotOutcomes shot] && null (shotVideoFault shot)
+
+-- | The statistics of a run for @--stats@, given the program's version and the peak of
+-- its memory in bytes.
+filmStats :: String -> Maybe Integer -> Workers -> Shot -> Json
+filmStats version memory crew shot =
+  Object
+    [ ("version", Text version),
+      ("frames", Whole (tallyFrames tally)),
+      ("rendered", Whole (tallyRendered tally)),
+      ("already_done", Whole (tallyFound tally)),
+      ("failed", Whole (tallyFailed tally)),
+      ("elsewhere", Whole (tallyElsewhere tally)),
+      ("workers", Whole (workersCount crew)),
+      ("seconds", Number (tallySeconds tally)),
+      ("frames_per_second", maybe Null Number (framesPerSecond tally)),
+      ("peak_memory_bytes", maybe Null (Whole . fromInteger) memory)
+    ]
+  where
+    tally = shotTally shot

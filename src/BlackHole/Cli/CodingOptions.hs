@@ -1,4 +1,4 @@
--- | The options that say how finely a picture's file is coded.
+-- | The options for the encoding of a picture's file.
 module BlackHole.Cli.CodingOptions
   ( codingOptions,
   )
@@ -12,5 +12,5 @@ import Options.Applicative
 codingOptions :: Parser Coding
 codingOptions =
   Coding
-    <$> setting (option wholeNumber (long "bits" <> metavar "N" <> help "Bits per primary: PNG 8 or 16, TIFF 16 or 32, OpenEXR 16 or 32"))
-    <*> setting (option wholeNumber (long "quality" <> metavar "N" <> help "JPEG's quality, 1 to 100 (default: 92)"))
+    <$> setting (option wholeNumber (long "bits" <> metavar "N" <> help "Bits per colour channel: 8 or 16 for PNG, 16 or 32 for TIFF and OpenEXR (default: the smaller)"))
+    <*> setting (option wholeNumber (long "quality" <> metavar "N" <> help "Quality of a JPEG, 1 to 100 (default: 92)"))

@@ -16,10 +16,12 @@ where
 
 import BlackHole.Image.AtomicFile (printable)
 import Control.Exception (IOException, catch, try)
+import Control.Monad (void)
 import Data.Bits ((.&.))
 import GHC.IO.Exception (IOErrorType (ResourceVanished), IOException (..))
 import System.IO (Handle, hFlush, hPutStr, hSetBinaryMode, stderr, stdout)
 import System.Posix.Internals (c_fcntl_read, const_f_getfl, o_RDONLY)
+import System.Timeout (timeout)
 
 -- | Why standard output did not take everything.
 data OutputProblem
@@ -52,11 +54,16 @@ outputIsClosed = do
 
 -- | A message of one line on standard error, after the program's name.
 say :: String -> IO ()
-say line = tell ("blackhole: " ++ printable line ++ "\n")
+say line = tellWithin 1000000 ("blackhole: " ++ printable line ++ "\n")
 
--- | Put a text on standard error as it is.
+-- | Progress on standard error, as it is. Takes at most some 10 ms, also if standard
+-- error is a pipe whose reader does not read.
 tell :: String -> IO ()
-tell text = (hPutStr stderr text >> hFlush stderr) `catch` dropped
+tell = tellWithin 10000
+
+-- A write to a full pipe waits until it has room, which can be interrupted.
+tellWithin :: Int -> String -> IO ()
+tellWithin microseconds text = void (timeout microseconds (hPutStr stderr text >> hFlush stderr)) `catch` dropped
   where
     dropped :: IOException -> IO ()
     dropped _ = pure ()

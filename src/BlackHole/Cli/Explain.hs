@@ -1,4 +1,4 @@
--- | @blackhole render --pixel X,Y@: one pixel explained in words and numbers.
+-- | @blackhole render --pixel X,Y@: how a pixel gets its colour.
 module BlackHole.Cli.Explain
   ( pixelProblems,
     explanationLines,
@@ -24,29 +24,29 @@ import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ
 import Numeric (showEFloat, showFFloat)
 
--- | A pixel has to lie in its picture.
+-- | The problem of a pixel outside the picture.
 pixelProblems :: Picture -> (Int, Int) -> [Problem]
 pixelProblems (Picture width height) (x, y) =
   [ Problem "--pixel" (show x ++ "," ++ show y) $
-      "X,Y with X from 0 to " ++ show (width - 1) ++ " and Y from 0 to " ++ show (height - 1) ++ ", counted from the top left"
+      "a pixel of this picture: X from 0 to " ++ show (width - 1) ++ ", Y from 0 to " ++ show (height - 1) ++ ", counted from the top left"
     | x < 0 || y < 0 || x >= width || y >= height
   ]
 
--- | The explanation of a scene's pixel, for people. Lengths in Schwarzschild
--- radii; at most 64 samples are listed.
+-- | The explanation as text. Lengths are in Schwarzschild radii. Lists at most 64
+-- samples.
 explanationLines :: Scene -> Explanation -> [String]
 explanationLines scene explanation =
   concat
-    [ [ "pixel " ++ show x ++ "," ++ show y ++ " of " ++ show width ++ " x " ++ show height ++ " (column and row from 0 at the top left)",
+    [ [ "pixel " ++ show x ++ "," ++ show y ++ " of " ++ show width ++ " x " ++ show height ++ " (column and row, from 0 at the top left)",
         "",
-        "line of sight through the pixel's middle"
+        "line of sight through the centre of the pixel (lengths in Schwarzschild radii)"
       ],
       sightLines scene middle,
       lightLines middle,
       sampleLines (explainedSamples explanation),
       [ "",
         heading "picture",
-        colour (if single then "radiance" else "radiance, mean of samples") (explainedRadiance explanation),
+        colour (if single then "radiance" else "mean radiance of the samples") (explainedRadiance explanation),
         colour ("exposed by " ++ short stops ++ " stops") (shownExposed shown),
         colour ("tone map " ++ toneMapName (sceneToneMap scene)) (shownToneMapped shown),
         field "sRGB codes" (concatMap (padLeft 16 . show) [r, g, b])
@@ -65,24 +65,24 @@ explanationLines scene explanation =
 -- | Where the line of sight goes.
 sightLines :: Scene -> Sighting -> [String]
 sightLines scene sighting =
-  [ field "point of the picture" (number px ++ number py),
-    field "direction of sight" (vector (sightingDirection sighting))
+  [ field "point in the picture" (number px ++ number py),
+    field "direction" (maybe "  none: outside the fisheye's circle" vector (sightingDirection sighting))
   ]
-    ++ maybe ["  no light arrives along it"] arriving (sightingArrival sighting)
+    ++ maybe ["  no light arrives from this direction"] arriving (sightingArrival sighting)
   where
     XY px py = sightingPoint sighting
     arriving light =
       constantLines (arrivalConstants light)
-        ++ [ field "frequency, over infinity's" (number (arrivalFrequency light) ++ "  (" ++ observerName (sceneObserver scene) ++ " observer)"),
+        ++ [ field "frequency / at infinity" (number (arrivalFrequency light) ++ "  (" ++ observerName (sceneObserver scene) ++ " observer)"),
              field "fate" ("  " ++ fateText (arrivalFate light)),
              field "steps" ("  " ++ show (arrivalSteps light) ++ " (" ++ integratorName (sceneIntegrator scene) ++ ")"),
              "",
-             "crossings of the disk's plane, in order from the camera, gas in front or not"
+             "crossings of the disk's plane, from the camera onwards (g: observed / emitted frequency of gas there)"
            ]
         ++ crossingLines scene (arrivalCrossings light)
         ++ [ "",
-             "gas passed",
-             field "samples in it" ("  " ++ show (arrivalGasSamples light)),
+             "gas along the line of sight",
+             field "samples of the gas" ("  " ++ show (arrivalGasSamples light)),
              field "optical depth" (number (opticalDepth light)),
              field "transmittance" (number (arrivalTransmittance light))
            ]
@@ -101,7 +101,7 @@ sightLines scene sighting =
     fateText fate = case fate of
       Escaped direction -> fateName fate ++ " to the sky at" ++ vector direction
       Captured -> fateName fate ++ " by the hole"
-      Opaque -> fateName fate ++ ": gas hides what lies behind"
+      Opaque -> fateName fate ++ ": the gas hides everything behind it"
       StepLimit -> fateName fate ++ " reached"
 
 crossingLines :: Scene -> [PlaneCrossing] -> [String]
@@ -111,7 +111,7 @@ crossingLines scene crossings = titles : map line crossings
     shifts = sceneShifts scene
     everything = shifts == Shifts True True
     titles =
-      "  " ++ concatMap (padLeft 16) (["r", "azimuth (deg)", "g", "by gravity", "by motion"] ++ ["shown as" | not everything])
+      "  " ++ concatMap (padLeft 16) (["r", "azimuth (deg)", "g", "g (gravity)", "g (motion)"] ++ ["g (shown)" | not everything])
     line crossing =
       "  "
         ++ concatMap
@@ -127,22 +127,22 @@ crossingLines scene crossings = titles : map line crossings
       ]
         ++ [decimal (shiftFactor shifts shift) | not everything]
 
--- | What shines along it.
+-- | The light along the line of sight.
 lightLines :: Sighting -> [String]
 lightLines sighting =
   [ "",
-    heading "light along it"
+    heading "light"
   ]
     ++ maybe [] parts (sightingArrival sighting)
-    ++ [colour "together" (sightingRadiance sighting)]
+    ++ [colour "total" (sightingRadiance sighting)]
   where
     parts light =
       [ colour "from the gas" (arrivalGas light),
-        colour "from the sky, before gas" (arrivalSky light),
-        colour "from the sky, through gas" (scaleRadiance (arrivalTransmittance light) (arrivalSky light))
+        colour "from the sky, before the gas" (arrivalSky light),
+        colour "from the sky, through the gas" (scaleRadiance (arrivalTransmittance light) (arrivalSky light))
       ]
 
--- | The samples, if there are several.
+-- | The samples, if there is more than one.
 sampleLines :: [Sighting] -> [String]
 sampleLines samples@(_ : _ : _) =
   "" :
@@ -160,7 +160,7 @@ sampleLines samples@(_ : _ : _) =
         XY px py = sightingPoint sample
 sampleLines _ = []
 
--- | The heading above lines of 'colour'.
+-- | The heading above rows of 'colour'.
 heading :: String -> String
 heading name = pad 30 name ++ concatMap (padLeft 16) ["red", "green", "blue"]
 
@@ -176,14 +176,14 @@ number v = "  " ++ decimal v
 vector :: XYZ -> String
 vector (XYZ x y z) = concatMap number [x, y, z]
 
--- | Ten decimals for what is of the order of one.
+-- | Ten decimals for numbers of ordinary size, otherwise an exponent.
 decimal :: Double -> String
 decimal v
   | v == 0 = "0"
   | abs v < 1e-4 || abs v >= 1e6 = showEFloat (Just 6) v ""
   | otherwise = showFFloat (Just 10) v ""
 
--- | Without ".0".
+-- | Whole numbers without @.0@.
 short :: Double -> String
 short v
   | v == fromIntegral n = show n

@@ -1,4 +1,4 @@
--- | The film that a scene file and the options make together.
+-- | The film that a scene file and options make together.
 module BlackHole.Cli.FilmScene
   ( loadFilm,
     resolveFilm,
@@ -13,15 +13,16 @@ import BlackHole.Animation.Progress (frameRanges)
 import BlackHole.Cli.SceneOptions
 import BlackHole.Scene.File.Yaml
 import BlackHole.Scene.Problem
+import BlackHole.Scene.Scene (Scene)
 import qualified Data.ByteString as Bytes
 import Data.Either (fromRight)
 import Data.Foldable (fold)
 import Data.List (sortOn)
 import qualified Data.Map.Strict as Map
 
--- | The film that the options ask for, given the bytes of its file, or a line
--- for everything that is wrong with its scene and its section on animation; but
--- see 'frameFaults'. 'Nothing' if there is no such section.
+-- | The film that the options ask for, given the bytes of the scene file, or one line for
+-- each mistake in its scene and its section @animation@. 'Nothing' if there is no such
+-- section. Does not validate the scenes of the frames; see 'frameFaults'.
 resolveFilm :: SceneOptions -> Maybe Bytes.ByteString -> Either [String] (Maybe Film)
 resolveFilm options bytes = case (resolveScene options bytes, section) of
   (Left problems, _) -> Left (problems ++ sectionFaults)
@@ -29,21 +30,28 @@ resolveFilm options bytes = case (resolveScene options bytes, section) of
   (Right scene, Just (film, [])) -> Right (Just (film scene))
   (Right _, Nothing) -> Right Nothing
   where
-    -- A file that is no YAML has been complained of with the scene.
+    -- A file that is not YAML is reported with the scene.
     section = bytes >>= fromRight Nothing . parseYaml >>= readAnimation
     sectionFaults =
       [ concat [fold (sceneFile options), ":", show line, ": ", renderProblem problem]
         | (line, problem) <- sortOn fst (maybe [] snd section)
       ]
 
--- | The same, reading the file.
-loadFilm :: SceneOptions -> IO (Either [String] (Maybe Film))
+-- | The film that the options ask for, like 'resolveFilm', or without a section
+-- @animation@ its single scene. Reads the file, and warns of former names on standard
+-- error.
+loadFilm :: SceneOptions -> IO (Either [String] (Either Scene Film))
 loadFilm options = do
   bytes <- traverse readSceneFile (sceneFile options)
-  pure (either (Left . pure) (resolveFilm options) (sequence bytes))
+  mapM_ (mapM_ (warnFormerNames options)) bytes
+  pure $ case sequence bytes of
+    Left line -> Left [line]
+    Right contents -> do
+      film <- resolveFilm options contents
+      maybe (Left <$> resolveScene options contents) (Right . Right) film
 
--- | Everything that is wrong with the scenes of some frames (in growing order);
--- what is wrong with several in the same way is said once.
+-- | One line for each mistake in the scenes of some frames (in increasing order), with
+-- the numbers of all frames that have it.
 frameFaults :: Film -> [Int] -> [String]
 frameFaults film frames =
   [ (if length wrong == 1 then "frame " else "frames ") ++ frameRanges (reverse wrong) ++ ": " ++ text
@@ -60,6 +68,6 @@ frameFaults film frames =
         ]
     lastOf = foldl (const Just) Nothing
 
--- | As many of them as somebody will want to read.
+-- | The greatest number of such lines to print.
 maximumFaults :: Int
 maximumFaults = 20

@@ -1,5 +1,5 @@
--- | Help for people: overview, commands, topics and the manual page, all made
--- of the parsers and the table of the scene's fields.
+-- | Help: the overview, the text of each command and topic, and the manual page, all
+-- made from the parsers and the table of settings.
 module BlackHole.Cli.Help
   ( -- * Commands
     CommandHelp (..),
@@ -9,24 +9,25 @@ module BlackHole.Cli.Help
     -- * Texts
     overview,
     commandText,
-    topicText,
     topicNames,
     helpOn,
     manualPage,
+    headedOptions,
 
     -- * Mistakes
     withSuggestion,
   )
 where
 
+import BlackHole.Cli.AnimationHelp
 import BlackHole.Cli.Read (nearest)
 import BlackHole.Scene.Field.Field
 import BlackHole.Scene.Field.Kind (Value (..), showValue)
 import BlackHole.Scene.Field.Table (sceneFields)
-import BlackHole.Scene.Preset (defaultScene, presetNames)
+import BlackHole.Scene.Preset (Preset (..), defaultScene, describedPresets)
 import BlackHole.Scene.Problem (suggestion)
 import Data.Char (toLower)
-import Data.List (find, intercalate, isInfixOf, stripPrefix)
+import Data.List (find, intercalate, isInfixOf, isPrefixOf, stripPrefix)
 import Data.Maybe (fromMaybe, listToMaybe, mapMaybe)
 import Options.Applicative.Common (mapParser)
 import Options.Applicative.Help (unChunk)
@@ -36,23 +37,28 @@ import Options.Applicative.Types
 data Entry = Entry
   { -- | Its names with dashes; none for an argument.
     entryNames :: ![String],
-    -- | What stands for its value; empty if it takes none.
+    -- | The placeholder for its value; empty for a flag.
     entryValue :: !String,
     entryText :: !String
   }
   deriving (Eq, Show)
 
--- | What help says of one command.
+-- | What help says about one command.
 data CommandHelp = CommandHelp
-  { commandName :: !String,
+  { -- | One word, or two for a command of a command.
+    commandName :: !String,
+    -- | One sentence.
     commandSummary :: !String,
+    -- | More sentences; may be empty.
+    commandDetails :: !String,
+    -- | Complete command lines.
     commandExamples :: ![String],
     commandEntries :: ![Entry]
   }
   deriving (Eq, Show)
 
--- | The options and arguments of a parser in its order, without hidden ones and
--- without commands inside it.
+-- | The visible options and arguments of a parser in its order, without those of
+-- commands inside it.
 parserEntries :: Parser a -> [Entry]
 parserEntries = concat . mapParser (const entry)
   where
@@ -74,55 +80,80 @@ parserEntries = concat . mapParser (const entry)
     dashed (OptLong name) = "--" ++ name
     dashed (OptShort c) = ['-', c]
 
--- | The names of the topics, in lower case.
+-- | The names of all topics in lower case.
 topicNames :: [String]
-topicNames = map (map toLower . topicName) [minBound .. maxBound]
+topicNames = map (map toLower . topicName) [minBound ..] ++ map fst guides
 
--- | All commands with a line for each, and the topics.
+-- | Topics that are not about settings.
+guides :: [(String, [String])]
+guides =
+  [ ("animation", "Films: keyframes, camera paths and motion blur." : concatMap partLines animationHelp ++ ["", "Example: blackhole animate --preset luminet --orbit 360 --duration 4 -o frames/%05d.png"]),
+    ("exit-status", "Exit codes, the same for all commands." : "" : concatMap (uncurry (row 12)) exitTexts ++ ["", "Example: blackhole selftest --quiet"])
+  ]
+  where
+    partLines part =
+      "" : case part of
+        Paragraph text -> wrapped 0 text
+        Verbatim code -> map ("    " ++) code
+        Terms terms -> concatMap (uncurry (row 19)) terms
+
+-- | The commands, one line for each, and the topics.
 overview :: [CommandHelp] -> String
 overview commands =
   unlines $
-    [ "Physically exact pictures of a black hole.",
+    [ "Physically accurate pictures of a black hole.",
       "",
       "Usage: blackhole COMMAND [OPTION...]",
       "",
       "Commands:"
     ]
-      ++ concat [row 12 (commandName c) (firstSentence (commandSummary c)) | c <- commands]
-      ++ row 12 "help" "Explain a command or a topic"
+      ++ summaries [c | c <- commands, ' ' `notElem` commandName c]
       ++ ["", "Topics:"]
       ++ wrapped 2 (intercalate ", " topicNames)
       ++ [ "",
-           "blackhole help COMMAND or TOPIC says more, and so does COMMAND --help.",
-           "blackhole --version names the version, the compiler and the array back end.",
+           "blackhole help COMMAND (or TOPIC) explains a command or a topic.",
+           "blackhole --version prints the versions of the program and its compiler.",
            "",
            "Example: blackhole render --width 1280 -o hole.png"
          ]
-  where
-    firstSentence = takeWhile (/= ':')
 
--- | A command with all its options, those of a scene grouped by topic.
-commandText :: CommandHelp -> String
-commandText c =
+summaries :: [CommandHelp] -> [String]
+summaries = concatMap (\c -> row 17 (commandName c) (takeWhile (/= '.') (commandSummary c)))
+
+-- | The text of a command, given all commands: its summary, its options, those of a
+-- scene grouped by topic, the commands inside it, and examples.
+commandText :: [CommandHelp] -> CommandHelp -> String
+commandText commands c =
   unlines $
-    wrapped 0 (commandSummary c)
-      ++ ["", usage c]
+    wrapped 0 (commandSummary c ++ " " ++ commandDetails c)
+      ++ ["", usage c inner]
+      ++ (if null inner then [] else ["", "Commands:"] ++ summaries inner)
       ++ concat
-        [ "" : (title ++ ":") : concatMap entryRows entries
+        [ "" : (title ++ ":") : concatMap (entryRows c) entries
           | (title, entries) <- sections c
         ]
       ++ [line | not (null (commandExamples c)), line <- "" : heading : map ("  " ++) (commandExamples c)]
   where
+    inner = innerCommands commands c
     heading = if length (commandExamples c) > 1 then "Examples:" else "Example:"
 
-usage :: CommandHelp -> String
-usage c = "Usage: blackhole " ++ unwords (commandName c : "[OPTION...]" : [argument (entryValue e) | e <- commandEntries c, null (entryNames e)])
-  where
-    -- A scene file need not be given; every other argument must be.
-    argument name = if name == "SCENE.yaml" then "[" ++ name ++ "]" else name
+innerCommands :: [CommandHelp] -> CommandHelp -> [CommandHelp]
+innerCommands commands c = [i | i <- commands, (commandName c ++ " ") `isPrefixOf` commandName i]
 
-entryRows :: Entry -> [String]
-entryRows e = row 26 (entryLabel e) (entryMeaning e)
+usage :: CommandHelp -> [CommandHelp] -> String
+usage c inner = "Usage: blackhole " ++ unwords (commandName c : ["COMMAND" | not (null inner)] ++ ["[OPTION...]" | hasOptions] ++ map argument arguments)
+  where
+    hasOptions = not (null inner && all (null . entryNames) (commandEntries c))
+    arguments = [entryValue e | e <- commandEntries c, null (entryNames e)]
+    optional name = name == "COMMAND|TOPIC..." || (name == "SCENE.yaml" && isSceneCommand c)
+    argument name = if optional name then "[" ++ name ++ "]" else name
+
+-- | Whether a command takes the options of a scene.
+isSceneCommand :: CommandHelp -> Bool
+isSceneCommand = any (("--preset" `elem`) . entryNames) . commandEntries
+
+entryRows :: CommandHelp -> Entry -> [String]
+entryRows c e = row 26 (entryLabel e) (entryMeaning c e)
 
 entryLabel :: Entry -> String
 entryLabel (Entry names value _)
@@ -130,9 +161,9 @@ entryLabel (Entry names value _)
   | null value = intercalate ", " names
   | otherwise = intercalate ", " names ++ " " ++ value
 
--- | The text with the default, if that is a field's and not said yet.
-entryMeaning :: Entry -> String
-entryMeaning e = entryText e ++ fromMaybe "" (fieldOf e >>= defaultNote (entryText e))
+-- | The description, with the default if the option belongs to a setting.
+entryMeaning :: CommandHelp -> Entry -> String
+entryMeaning c e = entryText e ++ fromMaybe "" (if isSceneCommand c then fieldOf e >>= defaultNote (entryText e) else Nothing)
 
 fieldOf :: Entry -> Maybe Field
 fieldOf e = find (maybe False ((`elem` entryNames e) . optionName) . fieldOption) sceneFields
@@ -145,13 +176,13 @@ defaultNote text f
     Just (VectorValue _) -> Nothing
     value -> (\v -> " (default: " ++ showValue v ++ ")") <$> value
 
--- | The entries under their headings. Commands without a scene have one heading.
+-- | The options under their headings; a single heading for commands without a scene.
 sections :: CommandHelp -> [(String, [Entry])]
 sections c
-  | any (("--preset" `elem`) . entryNames) entries =
+  | isSceneCommand c =
     filter (not . null . snd) [(title, filter ((== title) . titleOf) entries) | title <- titles]
   | null entries = []
-  | otherwise = [("Options", entries)]
+  | otherwise = [(if any (null . entryNames) entries then "Arguments and options" else "Options", entries)]
   where
     entries = commandEntries c
     titles = "Scene" : map topicName [minBound .. maxBound] ++ ["This command"]
@@ -160,36 +191,45 @@ titleOf :: Entry -> String
 titleOf e
   | null (entryNames e) || any (`elem` ["--preset", "--from"]) (entryNames e) = "Scene"
   | Just f <- fieldOf e = topicName (fieldTopic f)
-  | any (`elem` outputs) (entryNames e) = topicName Output
-  | any (`elem` diagnostics) (entryNames e) = topicName Diagnostics
-  | otherwise = "This command"
-  where
-    outputs = ["--output", "--bits", "--quality", "--preview", "--tile", "--keep-partial", "--layers", "--video"]
-    diagnostics = ["--pixel", "--threads", "--progress", "--quiet", "--stats", "--strict"]
+  | otherwise = maybe "This command" fst (find (any (`elem` entryNames e) . snd) headedOptions)
 
--- | A topic: every setting that belongs to it, with its option and its place in
--- scene files.
+-- | The headings of options that do not belong to a setting.
+headedOptions :: [(String, [String])]
+headedOptions =
+  [ (topicName Output, ["--output", "--bits", "--quality", "--preview", "--tile", "--keep-partial", "--video", "--codec", "--crf"]),
+    (topicName Diagnostics, ["--pixel", "--threads", "--progress", "--quiet", "--stats", "--strict"])
+  ]
+
+-- | A topic: all its settings, with their options and their paths in scene files.
 topicText :: Topic -> String
 topicText topic =
   unlines $
-    [topicName topic ++ ": settings of a scene, as options of render and in scene files.", ""]
-      ++ concat [row 30 (label f) (meaning f) | f <- sceneFields, fieldTopic f == topic]
-      ++ (if topic == Diagnostics then concatMap (uncurry (row 30)) others else [])
+    [topicName topic ++ ": settings of a scene, as options and (in brackets) in scene files.", ""]
+      ++ concat [row 28 (label f) (settingMeaning f) | f <- sceneFields, fieldTopic f == topic]
+      ++ (if topic == Sky then "" : concatMap (wrapped 0) skySources else [])
       ++ ["", "Example: blackhole render " ++ example topic]
   where
     label f = case fieldOption f of
       Just (Takes name value) -> "--" ++ name ++ " " ++ value
       Just (Sets name _ _) -> "--" ++ name
       Nothing -> fieldPath f
-    meaning f = fieldDoc f ++ fromMaybe "" (defaultNote (fieldDoc f) f) ++ maybe " [scene file only]" (const (" [" ++ fieldPath f ++ "]")) (fieldOption f)
-    others =
-      [ ("--pixel X,Y", "Explain one pixel instead of rendering"),
-        ("--stats FILE.json", "Write what the rendering took"),
-        ("--progress HOW", "How to tell about progress"),
-        ("--strict", "Fail if a pixel has no finite radiance")
-      ]
 
--- | Options of render that show what a topic is about.
+settingMeaning :: Field -> String
+settingMeaning f =
+  text ++ fromMaybe "" (defaultNote text f) ++ maybe " [scene file only]" (const (" [" ++ fieldPath f ++ "]")) (fieldOption f)
+  where
+    text = case fieldOption f of
+      Just (Sets _ _ flagText) -> flagText
+      _ -> fieldDoc f
+
+-- | The sources of the real sky.
+skySources :: [String]
+skySources =
+  [ "The real sky has 118 235 stars with their measured positions, magnitudes and colours: ESA, 1997, The Hipparcos and Tycho Catalogues, ESA SP-1200, and for bright stars the Bright Star Catalogue, 5th edition (Hoffleit and Warren 1991).",
+    "The Milky Way is the light of all stars that are not among them, from star counts of the Tycho-2 and NOMAD catalogues and a model of the Galaxy behind the dust measured by Schlegel, Finkbeiner and Davis 1998."
+  ]
+
+-- | Options of render that demonstrate a topic.
 example :: Topic -> String
 example topic = case topic of
   Image -> "--width 1280 --height 720"
@@ -199,17 +239,18 @@ example topic = case topic of
   Sky -> "--sky grid"
   Sampling -> "--samples 16 --seed 7"
   Output -> "--tone-map agx --exposure 1 -o hole.png"
-  Diagnostics -> "--pixel 640,300"
+  Diagnostics -> "--debug-textures"
 
--- | The text for a word after @help@, or what is wrong with the word.
-helpOn :: [CommandHelp] -> String -> Either String String
-helpOn commands word
-  | Just c <- find ((== lower) . commandName) commands = Right (commandText c)
-  | Just topic <- find ((== lower) . map toLower . topicName) [minBound ..] = Right (topicText topic)
+-- | The text for the words after @help@, or what is wrong with them.
+helpOn :: [CommandHelp] -> [String] -> Either String String
+helpOn commands wanted
+  | Just c <- find ((== name) . commandName) commands = Right (commandText commands c)
+  | Just topic <- find ((== name) . map toLower . topicName) [minBound ..] = Right (topicText topic)
+  | Just text <- lookup name guides = Right (unlines text)
   | otherwise =
-    Left ("help: '" ++ word ++ "' is not a command or topic" ++ suggestion word known ++ "; there are: " ++ intercalate ", " known)
+    Left ("help: '" ++ unwords wanted ++ "' is not a command or a topic" ++ suggestion name known)
   where
-    lower = map toLower word
+    name = map toLower (unwords wanted)
     known = map commandName commands ++ topicNames
 
 -- | The manual page in the macros of @man@, given the program's version.
@@ -218,43 +259,53 @@ manualPage version commands =
   unlines $
     [ ".TH BLACKHOLE 1 \"\" \"" ++ version ++ "\" \"User Commands\"",
       ".SH NAME",
-      "blackhole \\- physically exact pictures of a black hole",
+      "blackhole \\- physically accurate pictures of a black hole",
       ".SH SYNOPSIS",
       ".B blackhole",
       "\\fICOMMAND\\fR [\\fIOPTION\\fR...]",
       ".SH DESCRIPTION",
-      "Traces light backwards from a camera through the curved space around a black hole: a disk of gas, a sky of stars, and the shadow between them.",
-      "Equal scenes give equal bytes, for any number of threads.",
-      "Lengths are in Schwarzschild radii.",
+      roff "Traces light backwards from a camera through the curved space around a black hole that does not rotate: a disk of glowing gas, the sky behind it, and the hole's shadow.",
+      roff "Equal scenes give equal bytes for any number of threads.",
+      roff "Lengths are in Schwarzschild radii (r_s), times in r_s/c, and angles in degrees unless stated otherwise.",
+      roff "If an option is given more than once, the last one counts.",
       ".SH COMMANDS"
     ]
       ++ concatMap commandPart commands
+      ++ [".SH SCENE FILES", roff "A scene file is YAML with the settings below, and preset: NAME to start from a preset. The options of render set the settings named in brackets. blackhole scene show default prints a complete scene file."]
+      ++ concat [(".SS " ++ topicName topic) : concat [[".TP", ".B " ++ roff (fieldPath f), roff (pathMeaning f)] | f <- sceneFields, fieldTopic f == topic] | topic <- [minBound ..]]
+      ++ [".SH ANIMATION"]
+      ++ concatMap part animationHelp
+      ++ [".SH PRESETS"]
+      ++ concat [[".TP", ".B " ++ roff (presetName p), roff (presetShows p)] | p <- describedPresets]
       ++ [".SH EXIT STATUS"]
       ++ concat [[".TP", ".B " ++ code, roff text] | (code, text) <- exitTexts]
       ++ [ ".SH ENVIRONMENT",
            ".TP",
            ".B NO_COLOR",
-           "If set to anything, no colours are written.",
-           ".SH PRESETS",
-           roff (intercalate ", " presetNames)
+           "If set and not empty, the output has no colours."
          ]
   where
     commandPart c =
-      [".SS blackhole " ++ roff (commandName c), roff (commandSummary c)]
-        ++ concat [(".PP" : [".B " ++ roff title]) ++ concatMap item entries | (title, entries) <- sections c]
+      [".SS blackhole " ++ roff (commandName c), roff (unwords (words (commandSummary c ++ " " ++ commandDetails c)))]
+        ++ concat [(".PP" : [".B " ++ roff title]) ++ concatMap (item c) entries | (title, entries) <- sections c]
         ++ concat [[".PP", "Example:", ".PP", ".EX", roff line, ".EE"] | line <- commandExamples c]
-    item e = [".TP", ".B " ++ roff (entryLabel e), roff (entryMeaning e)]
+    item c e = [".TP", ".B " ++ roff (entryLabel e), roff (entryMeaning c e)]
+    pathMeaning f = fieldDoc f ++ fromMaybe "" (defaultNote (fieldDoc f) f) ++ maybe "" (\o -> " [" ++ optionName o ++ "]") (fieldOption f)
+    part p = case p of
+      Paragraph text -> [".PP", roff text]
+      Verbatim code -> [".PP", ".EX"] ++ map roff code ++ [".EE"]
+      Terms terms -> concat [[".TP", ".B " ++ roff term, roff text] | (term, text) <- terms]
 
--- | The table of exit codes, in words.
+-- | The exit codes and their meanings.
 exitTexts :: [(String, String)]
 exitTexts =
-  [ ("0", "All went well."),
-    ("1", "A fault of the program, a self-test that does not hold, or with --strict a pixel without finite radiance."),
-    ("2", "The arguments are wrong."),
-    ("3", "The scene is wrong: a value out of its range, a file that can't be read, or a picture too large for the memory."),
-    ("4", "The file can't be written."),
-    ("5", "A film lacks frames or its film file."),
-    ("130, 143", "Interrupted by Ctrl-C, or ended by SIGTERM.")
+  [ ("0", "Success."),
+    ("1", "An internal error, a failed self-test, or with --strict a pixel without finite radiance."),
+    ("2", "Invalid command line."),
+    ("3", "Invalid input: a value of the scene out of its range, a file that cannot be read, or a picture that does not fit into memory."),
+    ("4", "The output cannot be written."),
+    ("5", "Frames of a film or its film file are missing."),
+    ("129, 130, 143, 152", "Stopped by a signal: SIGHUP, Ctrl-C (SIGINT), SIGTERM, or the limit on processor time.")
   ]
 
 roff :: String -> String
@@ -267,30 +318,31 @@ roff text = case concatMap escaped text of
       '-' -> "\\-"
       _ -> [c]
 
--- | A parser's complaint with the option or command that may have been meant,
--- given the names there are.
+-- | A parser's message, with a suggestion if it is about an unknown option or command,
+-- given the options and commands that exist. A short option gets no suggestion: any
+-- letter is as near to it as any other.
 withSuggestion :: [String] -> [String] -> String -> String
 withSuggestion options commands complaint = complaint ++ fromMaybe "" hint
   where
-    hint = listToMaybe (mapMaybe meant [("Invalid option `", options), ("Invalid argument `", commands)])
+    hint = listToMaybe (mapMaybe meant [("Invalid option `", filter isLong options), ("Invalid argument `", commands)])
     meant (start, names) = do
       rest <- stripPrefix start complaint
       let word = takeWhile (\c -> c /= '\'' && c /= '=') rest
-      best <- nearest word names
+      best <- if isLong word then ("--" ++) <$> nearest (drop 2 word) (map (drop 2) names) else if "-" `isPrefixOf` word then Nothing else nearest word names
       pure (" (did you mean " ++ best ++ "?)")
+    isLong = isPrefixOf "--"
 
 row :: Int -> String -> String -> [String]
 row column name text
   | length name + 4 > column = ("  " ++ name) : map (replicate column ' ' ++) texts
   | otherwise = zipWith (++) (("  " ++ name ++ replicate (column - 2 - length name) ' ') : repeat (replicate column ' ')) texts
   where
-    texts = wrap (84 - column) text
+    texts = wrap (80 - column) text
 
 wrapped :: Int -> String -> [String]
-wrapped indent = map (replicate indent ' ' ++) . wrap (84 - indent)
+wrapped indent = map (replicate indent ' ' ++) . wrap (80 - indent)
 
--- | Lines of at most that many characters, words longer than that excepted; at
--- least one line.
+-- | Lines of at most that many characters, except for longer words; at least one line.
 wrap :: Int -> String -> [String]
 wrap width = go [] . words
   where

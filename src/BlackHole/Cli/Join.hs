@@ -1,7 +1,6 @@
 {-# LANGUAGE TupleSections #-}
 
--- | Tiles of one huge picture: what @render --tile@ writes and @blackhole join@
--- puts together.
+-- | Tiles of one large picture, which @render --tile@ writes and @blackhole join@ joins.
 module BlackHole.Cli.Join
   ( JoinOptions (..),
     joinOptions,
@@ -15,6 +14,7 @@ where
 
 import BlackHole.Cli.CodingOptions (codingOptions)
 import BlackHole.Cli.Read
+import BlackHole.Cli.RunOptions
 import BlackHole.Image.Coding (Coding)
 import BlackHole.Image.TileFile
 import BlackHole.Render.Shard
@@ -37,7 +37,8 @@ data JoinOptions = JoinOptions
   { joinTiles :: ![FilePath],
     joinOutput :: !FilePath,
     joinCoding :: !Coding,
-    joinThreads :: !(Maybe Int)
+    joinThreads :: !(Maybe Int),
+    joinReporting :: !Reporting
   }
   deriving (Eq, Show)
 
@@ -45,10 +46,11 @@ data JoinOptions = JoinOptions
 joinOptions :: Parser JoinOptions
 joinOptions =
   JoinOptions
-    <$> some (strArgument (metavar "TILE..." <> help "Tile files, in any order"))
-    <*> settingOr "blackhole.png" (strOption (long "output" <> short 'o' <> metavar "FILE" <> help "File to write: .png, .jpg, .tif, .hdr or .exr (default: blackhole.png)"))
+    <$> some (strArgument (metavar "TILE..." <> filesEnding [tileExtension] <> help "Tile files, in any order"))
+    <*> settingOr "blackhole.png" (strOption (long "output" <> short 'o' <> metavar "FILE" <> action "file" <> help "File to write: .png, .jpg, .tif, .hdr or .exr (default: blackhole.png)"))
     <*> codingOptions
-    <*> setting (option wholeNumber (long "threads" <> metavar "N" <> help "Workers (default: one per core)"))
+    <*> threadsOption
+    <*> reporting
 
 -- | A part of a picture, @I\/N@.
 tilePart :: ReadM Shard
@@ -58,8 +60,8 @@ tilePart = eitherReader $ \text ->
 tileExtension :: String
 tileExtension = ".tile"
 
--- | What a tile of a scene says of itself, given lines that must be the same for
--- tiles to belong together: the program's name and version, and those of the sky.
+-- | The header of a tile of a scene, given lines that must be equal in all tiles of a
+-- picture: the program's name and version, and those of the sky.
 tileHeader :: [String] -> Shard -> Scene -> TileHeader
 tileHeader origin part scene =
   TileHeader part (width, height) . Lazy.toStrict . Builder.toLazyByteString . Builder.stringUtf8 $
@@ -67,20 +69,20 @@ tileHeader origin part scene =
   where
     Picture width height = scenePicture scene
 
--- | What is wrong with such a part of a picture.
+-- | The problems of a part for a picture.
 tileProblems :: Shard -> Picture -> [Problem]
 tileProblems part (Picture _ height) =
-  [Problem "--tile" (renderShard part) ("a part of a picture of " ++ show height ++ " rows") | shardCount part > height]
+  [Problem "--tile" (renderShard part) ("a part of this picture, which has only " ++ show height ++ " rows") | shardCount part > height]
 
--- | What is wrong with a tile file's name.
+-- | The problems of a tile file's name.
 tileNameProblems :: FilePath -> [Problem]
 tileNameProblems output =
   [ Problem "--output" ("'" ++ output ++ "'") ("a file name that ends in " ++ tileExtension)
     | map toLower (takeExtension output) /= tileExtension
   ]
 
--- | The scene of some tile files and the files themselves, or a line for
--- everything for which they can't be joined. Reads all of them once.
+-- | The scene of some tile files and the files themselves, or one line for each reason
+-- why they cannot be joined. Reads all of them once.
 openTiles :: [FilePath] -> IO (Either [String] (Scene, [TileFile]))
 openTiles paths = do
   (refused, tiles) <- partitionEithers <$> mapM look paths
@@ -96,7 +98,7 @@ openTiles paths = do
     look path = do
       opened <- try (openTile path)
       pure $ case opened of
-        Left refusal -> Left (path ++ ": can't be read: " ++ ioeGetErrorString (refusal :: IOException))
+        Left refusal -> Left (path ++ ": cannot be read: " ++ ioeGetErrorString (refusal :: IOException))
         Right (Left reason) -> Left (path ++ ": " ++ reason)
         Right (Right tile) -> Right tile
     damage tile = do

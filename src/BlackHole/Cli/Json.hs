@@ -1,4 +1,4 @@
--- | Numbers as text that loses nothing, and JSON (RFC 8259).
+-- | JSON (RFC 8259), and numbers as text without loss.
 module BlackHole.Cli.Json
   ( Json (..),
     renderJson,
@@ -13,7 +13,7 @@ import Numeric (showFFloat, showHex)
 -- | A JSON value.
 data Json
   = Null
-  | -- | Not finite: written as @null@, since JSON has no such numbers.
+  | -- | Printed as @null@ if it is not finite.
     Number !Double
   | Whole !Int
   | -- | @true@ or @false@.
@@ -23,7 +23,7 @@ data Json
   | Object ![(String, Json)]
   deriving (Eq, Show)
 
--- | Indented text with a line end. Linear in its length.
+-- | Indented text that ends with a newline. Takes time linear in its length.
 renderJson :: Json -> String
 renderJson json = go "" json ++ "\n"
   where
@@ -52,9 +52,9 @@ quoted s = "\"" ++ concatMap escaped s ++ "\""
       | isControl c && ord c < 0x20 = "\\u" ++ reverse (take 4 (reverse ("0000" ++ showHex (ord c) "")))
       | otherwise = [c]
 
--- | The shortest decimal that reads back as the same number, so with up to 17
--- significant digits; whole numbers without a point. @NaN@ and @Infinity@ as
--- Haskell writes them.
+-- | The shortest decimal that reads back as the same number, with at most 17
+-- significant digits; whole numbers without a point. @NaN@ and @Infinity@ for the
+-- others.
 showDouble :: Double -> String
 showDouble d
   | isNaN d || isInfinite d = show d

@@ -1,19 +1,17 @@
--- | The end of the program.
+-- | Exit of the program.
 module BlackHole.Cli.Leave (leave) where
 
 import GHC.Environment (getFullArgs)
-import GHC.TopHandler (flushStdHandles)
 import System.Exit (ExitCode, exitWith)
 import System.Posix.Process (exitImmediately)
 
--- | End the process with an exit code, from its main thread, when all is written and
--- no other thread has anything left to do.
+-- | End the process with an exit code. Call it from the main thread when all output is
+-- written and no other thread has work left.
 --
--- The run-time system would wait for its clock's next tick and put its memory in
--- order: 15 ms, a tenth of a quick picture. Only who asked it for something, as
--- statistics or a profile, has it end as it wants, and gets that.
+-- An ordinary exit of the run-time system waits for its next clock tick and releases
+-- its memory, which takes 15 ms, a tenth of the time for a quick picture. It happens
+-- only with options of the run-time system (@+RTS@), which may ask for a report.
 leave :: ExitCode -> IO ()
 leave code = do
-  flushStdHandles
   asked <- elem "+RTS" <$> getFullArgs
   if asked then exitWith code else exitImmediately code

@@ -1,12 +1,15 @@
 -- | Whether a picture fits into the memory there is, asked before any work.
 module BlackHole.Cli.Memory
-  ( pictureMemory,
+  ( Making (..),
+    Product (..),
+    pictureMemory,
     availableMemory,
     memoryProblem,
     peakMemory,
   )
 where
 
+import BlackHole.Image.Coding (Format (..))
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
 import Control.Exception (IOException, evaluate, try)
@@ -16,16 +19,52 @@ import Data.Maybe (catMaybes, listToMaybe, mapMaybe)
 import System.Posix.Resource
 import Text.Read (readMaybe)
 
--- | The least memory in bytes that so many rows of a scene's picture take from
--- light to file: three floats a pixel, and with bloom half as many for a moment.
-pictureMemory :: Scene -> Int -> Integer
-pictureMemory scene rows = toInteger width * toInteger rows * (if sceneBloom scene > 0 then 12 + 6 else 12)
+-- | What is made of a picture's light, which decides what is in memory at once.
+data Product
+  = -- | A file that is written while its rows are coded.
+    WholePicture !Format
+  | -- | A tile file.
+    Tile
+  | -- | A frame, whose file is made in memory.
+    Frame !Format
+  | -- | A file of tiles, which are read while it is written.
+    Joined !Format
+  deriving (Eq, Show)
+
+-- | How a picture is made.
+data Making = Making
+  { makingProduct :: !Product,
+    -- | Whether its light is the mean of several moments.
+    makingBlurred :: !Bool,
+    -- | Whether its rows are kept for the case of a signal.
+    makingKept :: !Bool
+  }
+  deriving (Eq, Show)
+
+-- | The memory in bytes that so many rows of a scene's picture take at most from
+-- light to file. The numbers are measured ("BlackHole.Cli.MemorySpec" measures them
+-- again): at least 12 bytes a pixel of light, and what a stage holds beside it.
+pictureMemory :: Making -> Scene -> Int -> Integer
+pictureMemory (Making product' blurred kept) scene rows =
+  50331648 + toInteger width * toInteger rows * sum (ofProduct : [n | (True, n) <- [(sceneBloom scene > 0, 18), (blurred, 48), (kept, 14), (mostSamples scene > sceneSamples scene, 8)]])
   where
     Picture width _ = scenePicture scene
+    ofProduct = case product' of
+      WholePicture format -> ofFormat format
+      Tile -> 26
+      Frame format -> ofFormat format + 16
+      Joined Png -> 32
+      Joined Jpeg -> 46
+      Joined _ -> 12
+    ofFormat format = case format of
+      Jpeg -> 22
+      Exr -> 26
+      _ -> 14
 
 -- | The bytes that this process may still take, as far as the system tells: the
 -- least of what is free (@MemAvailable@), its group's limit (cgroup 2) and its
--- own (@ulimit -v@). 'Nothing' where nothing of it is known.
+-- own (two thirds of @ulimit -v@, which is what GHC's run-time system reserves for the
+-- heap then). 'Nothing' where nothing of it is known.
 availableMemory :: IO (Maybe Integer)
 availableMemory = do
   free <- firstLine "/proc/meminfo" "MemAvailable:"
@@ -33,7 +72,7 @@ availableMemory = do
   used <- readSmall "/sys/fs/cgroup/memory.current"
   own <- softLimit . either noLimits id <$> (try (getResourceLimit ResourceTotalMemory) :: IO (Either IOException ResourceLimits))
   let group = (\l u -> max 0 (l - u)) <$> (readMaybe =<< limit) <*> (readMaybe =<< used)
-      known = catMaybes [free, group, asNumber own]
+      known = catMaybes [free, group, (`quot` 3) . (* 2) <$> asNumber own]
   pure (if null known then Nothing else Just (minimum known))
   where
     noLimits _ = ResourceLimits ResourceLimitUnknown ResourceLimitUnknown
@@ -41,17 +80,22 @@ availableMemory = do
     asNumber _ = Nothing
 
 -- | One line if so many rows need more memory than there is.
-memoryProblem :: Scene -> Int -> IO (Maybe String)
-memoryProblem scene rows = judge <$> availableMemory
+memoryProblem :: Making -> Scene -> Int -> IO (Maybe String)
+memoryProblem making scene rows = judge <$> availableMemory
   where
     Picture width _ = scenePicture scene
-    needed = pictureMemory scene rows
+    needed = pictureMemory making scene rows
     judge (Just there)
       | needed > there =
         Just $
-          "a picture of " ++ show width ++ " x " ++ show rows ++ " pixels needs " ++ mebibytes needed ++ " of memory, and there are "
+          "a picture of " ++ show width ++ " x " ++ show rows ++ " pixels needs " ++ mebibytes needed ++ " of memory, but only "
             ++ mebibytes there
-            ++ "; make it smaller, or render it in tiles (--tile I/N)"
+            ++ " are available; make it smaller"
+            ++ case makingProduct making of
+              WholePicture _ -> ", or render it in tiles (--tile I/N)"
+              Tile -> ", or divide the picture into more tiles"
+              Frame _ -> ""
+              Joined _ -> ", or join the tiles to a TIFF, HDR or OpenEXR file"
     judge _ = Nothing
     mebibytes n = show (n `quot` 1048576) ++ " MiB"
 

@@ -1,9 +1,13 @@
--- | The command line: its grammar, and the scene it asks for.
+-- | The command line: its commands and their parsers.
 module BlackHole.Cli.Options
   ( Command (..),
     RenderOptions (..),
+    renderTarget,
     Parsed (..),
     parseArguments,
+    formerOptions,
+    formerOptionWarnings,
+    commandHelps,
     completion,
   )
 where
@@ -15,19 +19,19 @@ import BlackHole.Cli.Join (JoinOptions, joinOptions, tilePart)
 import BlackHole.Cli.Photon (PhotonOptions, photonOptions)
 import BlackHole.Cli.Rays (RaysOptions, raysOptions)
 import BlackHole.Cli.Read
-import BlackHole.Cli.RunOptions (RunOptions, runOptions)
-import BlackHole.Cli.SceneCommand (SceneCommand, sceneCommand)
+import BlackHole.Cli.RunOptions
+import BlackHole.Cli.SceneCommand (SceneCommand, sceneCommands)
 import BlackHole.Cli.SceneOptions (SceneOptions, sceneOptions)
 import BlackHole.Cli.SelfTest (SelfTestOptions, selfTestOptions)
-import BlackHole.Image.Coding (Coding)
+import BlackHole.Image.Coding (Coding, formatExtensions)
 import BlackHole.Render.Shard (Shard)
 import Data.List (dropWhileEnd, find)
-import Data.Maybe (fromMaybe)
+import Data.Maybe (fromMaybe, mapMaybe)
 import Options.Applicative
-import Options.Applicative.Help (renderHelp, unChunk)
+import Options.Applicative.Help (unChunk)
 import System.Exit (ExitCode (..))
 
--- | What the program is asked to do.
+-- | A command with its options.
 data Command
   = -- | Render one picture.
     Render RenderOptions
@@ -35,72 +39,100 @@ data Command
     Join JoinOptions
   | -- | Render the frames of a film.
     Animate (AnimateOptions SceneOptions)
-  | -- | Do something with scenes that is not rendering.
+  | -- | List, print or check scenes.
     Scenes SceneCommand
   | -- | Report on one light path.
     Photon PhotonOptions
-  | -- | Draw the fan of light paths.
+  | -- | Draw parallel light rays.
     Rays RaysOptions
-  | -- | Hold the program's numbers against known ones.
+  | -- | Check the program's numbers.
     SelfTest SelfTestOptions
   deriving (Eq, Show)
 
 -- | The options of @blackhole render@.
 data RenderOptions = RenderOptions
-  { -- | What the scene is made of.
-    renderScene :: !SceneOptions,
-    -- | A picture of this program that says what scene to start from.
+  { renderScene :: !SceneOptions,
+    -- | A picture whose stored scene to start from.
     renderFrom :: !(Maybe FilePath),
     renderCoding :: !Coding,
     -- | Draw in the terminal instead of writing a file.
     renderPreview :: !Bool,
     renderThreads :: !(Maybe Int),
+    -- | Column and row of a pixel to explain instead of rendering.
     renderPixel :: !(Maybe (Int, Int)),
     renderTile :: !(Maybe Shard),
-    -- | How to go about it.
     renderRun :: !RunOptions,
-    renderOutput :: !FilePath
+    -- | The value of @--output@, if it is given; see 'renderTarget'.
+    renderOutput :: !(Maybe FilePath)
   }
   deriving (Eq, Show)
 
--- | The outcome of reading the command line.
+-- | The file to write.
+renderTarget :: RenderOptions -> FilePath
+renderTarget = fromMaybe "blackhole.png" . renderOutput
+
+-- | The result of parsing the command line.
 data Parsed
-  = -- | Do this.
+  = -- | Run this command.
     Run Command
-  | -- | Print this on standard output; nothing else was asked for.
+  | -- | Print this text on standard output: the user asked for it.
     Inform String
+  | -- | The command is not named: print this help on standard error.
+    Unnamed String
   | -- | One line that says what is wrong with the arguments.
     Misused String
   deriving (Eq, Show)
 
--- | Read the arguments, given the program's version line.
+-- | Parse the arguments, given the program's version line.
 parseArguments :: String -> [String] -> Parsed
-parseArguments version arguments =
-  case execParserPure preferences (commandLine version) arguments of
+parseArguments version given = case given of
+  [] -> Unnamed (trimmed (overview commandHelps))
+  [name] | Just c <- named' [name], name `elem` map (takeWhile (/= ' ')) innerNames -> Unnamed (helpText c)
+  _ -> case execParserPure preferences (commandLine version) arguments of
     Success (Task task) -> Run task
-    Success (HelpOn Nothing) -> Inform (trimmed (overview commandHelps))
-    Success (HelpOn (Just "man")) -> Inform (trimmed (manualPage (unwords (take 2 (words version))) commandHelps))
-    Success (HelpOn (Just word)) -> either Misused (Inform . trimmed) (helpOn commandHelps word)
-    CompletionInvoked _ -> Misused "completions are not asked for in this way"
+    Success (HelpOn []) -> Inform (trimmed (overview commandHelps))
+    Success (HelpOn ["man"]) -> Inform (trimmed (manualPage (unwords (take 2 (words version))) commandHelps))
+    Success (HelpOn wanted) -> either Misused (Inform . trimmed) (helpOn commandHelps wanted)
+    CompletionInvoked _ -> Misused "completion works only through the shell's completion script"
     Failure failure -> case execFailure failure "blackhole" of
-      (text, ExitSuccess, width) -> Inform (fromMaybe (renderHelp width text) ownHelp)
-      (text, ExitFailure _, _) -> Misused (withSuggestion options (map commandName commandHelps) (oneLine text))
+      -- Only --version and --help succeed without a command.
+      (text, ExitSuccess, _)
+        | "--version" `elem` take 1 arguments -> Inform (oneLine text)
+        | otherwise -> Inform (maybe (trimmed (overview commandHelps)) helpText chosen)
+      (text, ExitFailure _, _) -> Misused (withSuggestion options commands (oneLine text))
   where
+    arguments = map presentOption given
     oneLine = unwords . words . maybe "unknown arguments" show . unChunk . helpError
+    helpText = trimmed . commandText commandHelps
     trimmed = dropWhileEnd (== '\n')
-    -- A command has no other way to succeed without a result than its help.
-    ownHelp = case arguments of
-      "scene" : _ -> Nothing
-      word : _
-        | Just c <- find ((== word) . commandName) commandHelps -> Just (trimmed (commandText c))
-        | word `elem` ["--help", "-h"] -> Just (trimmed (overview commandHelps))
-      _ -> Nothing
-    options = case arguments of
-      word : _ | Just c <- find ((== word) . commandName) commandHelps -> "--help" : concatMap entryNames (commandEntries c)
-      _ -> ["--help", "--version"]
+    named' name = find ((== unwords name) . commandName) commandHelps
+    chosen = named' (take 2 arguments) <|> named' (take 1 arguments)
+    innerNames = [name | name <- map commandName commandHelps, ' ' `elem` name]
+    commands = case take 1 arguments of
+      [outer] | inner@(_ : _) <- [second | [first, second] <- map words innerNames, first == outer] -> inner
+      _ -> [name | name <- map commandName commandHelps, name `notElem` innerNames]
+    options = "--help" : maybe ["--version"] (concatMap entryNames . commandEntries) chosen
 
--- | What a shell's completion asks for, or a script for it, if the arguments are
--- such a question: an action that makes the answer.
+-- | Former names of options with the present ones. They are still accepted.
+formerOptions :: [(String, String)]
+formerOptions = [("--camera", "--position"), ("--frames", "--frame-range")]
+
+-- | An argument with the present name of an option, with or without a value after @=@.
+presentOption :: String -> String
+presentOption given = maybe given (++ rest) (lookup name formerOptions)
+  where
+    (name, rest) = break (== '=') given
+
+-- | One line for each former name of an option among the arguments.
+formerOptionWarnings :: [String] -> [String]
+formerOptionWarnings = mapMaybe warning
+  where
+    warning given
+      | presentOption given == given = Nothing
+      | otherwise = Just ("warning: " ++ takeWhile (/= '=') given ++ " is now called " ++ takeWhile (/= '=') (presentOption given))
+
+-- | The answer to a shell's completion request or its request for the completion
+-- script; 'Nothing' for other arguments.
 completion :: String -> [String] -> Maybe (IO String)
 completion version arguments = case execParserPure preferences (commandLine version) arguments of
   CompletionInvoked asked -> Just (execCompletion asked "blackhole")
@@ -111,76 +143,99 @@ preferences = prefs (columns 100)
 
 data Request
   = Task !Command
-  | -- | Help on a command or topic, or on all.
-    HelpOn !(Maybe String)
+  | -- | Help on these words, or the overview.
+    HelpOn ![String]
 
--- | A command with what is said of it.
-data Described = Described !CommandHelp !(Parser Command)
+-- | A command's help with its parser.
+data Described = Described !CommandHelp !(Parser Request)
 
+-- | The help of every command, also of those inside commands, in the order of the
+-- overview.
 commandHelps :: [CommandHelp]
-commandHelps = [h | Described h _ <- described]
+commandHelps = concat [h : inner (commandName h) | Described h _ <- described]
+  where
+    inner name = [h | name == "scene", Described h _ <- describedScenes]
 
 described :: [Described]
 described =
   [ describe
       "render"
-      "Render one picture to a file: of a scene file, if one is given, and with the options in the place of its settings."
+      "Render one picture."
+      "It shows the default scene, a preset, a scene file, or the scene stored in a picture. Options override the settings of that scene."
       ["blackhole render --width 1280 --inclination 75 --fov 40 -o hole.png"]
-      (Render <$> renderOptions),
-    describe
-      "join"
-      "Join the tiles of a picture: the file is the one that render would have made without --tile."
-      ["blackhole join big-*.tile -o big.png"]
-      (Join <$> joinOptions),
+      (Task . Render <$> renderOptions),
     describe
       "animate"
-      "Render the frames of a scene file with a section animation: those that are missing, stale or damaged, beside any number of other processes."
-      ["blackhole animate scenes/orbit.yaml -o frames/%05d.png --video orbit.mp4"]
-      (Animate <$> animateOptions sceneOptions),
+      "Render the frames of a film."
+      "The film is a scene file with a section animation (see: blackhole help animation), or an orbit around the hole in any scene (--orbit). Renders only frames that are missing, outdated or damaged, so an interrupted film continues where it stopped. Several processes can share the work."
+      ["blackhole animate --preset luminet --orbit 360 --duration 4 -o frames/%05d.png", "blackhole animate scenes/orbit.yaml -o frames/%05d.png --video orbit.mp4"]
+      (Task . Animate <$> animateOptions sceneOptions),
+    describe
+      "join"
+      "Join the tiles of a picture."
+      "Writes the file that render would have written without --tile."
+      ["blackhole join big-*.tile -o big.png"]
+      (Task . Join <$> joinOptions),
     describe
       "scene"
-      "Presets and scene files: list, show, check and print them, or print the schema for editors."
-      ["blackhole scene list", "blackhole scene show report > mine.yaml", "blackhole scene check mine.yaml"]
-      (Scenes <$> sceneCommand),
+      "List, print and check scenes."
+      ""
+      ["blackhole scene show report > mine.yaml"]
+      (hsubparser (foldMap sceneTask describedScenes)),
     describe
       "photon"
-      "Report on one light path: where it goes and what it meets. Lengths in Schwarzschild radii, angles in radians."
-      ["blackhole photon --impact 2.65 --json", "blackhole photon --distance 20 --inclination 80 --psi 10 --eta -90"]
-      (Photon <$> photonOptions),
+      "Report on one light path."
+      "The path is that of light from infinity (--impact), or the line of sight of a camera at rest (--psi). The report gives lengths in Schwarzschild radii (r_s) and angles in radians."
+      ["blackhole photon --psi 10", "blackhole photon --impact 2.65 --json"]
+      (Task . Photon <$> photonOptions),
     describe
       "rays"
-      "Draw parallel light rays on their way around the hole, as SVG or PNG."
+      "Draw parallel light rays and their paths around the hole."
+      "Writes an SVG or PNG file."
       ["blackhole rays --rays 41 -o rays.svg"]
-      (Rays <$> raysOptions),
+      (Task . Rays <$> raysOptions),
     describe
       "selftest"
-      "Hold the program's numbers against known ones, in a few seconds. The exit code is 0 only if all of them are right."
+      "Check the program's numbers against published and independently computed values."
+      "Takes a few seconds. The exit code is 1 if a check fails."
       ["blackhole selftest"]
-      (SelfTest <$> selfTestOptions)
+      (Task . SelfTest <$> selfTestOptions),
+    describe
+      "help"
+      "Explain a command or a topic."
+      "Without an argument, lists the commands and topics. blackhole help man prints the manual page."
+      ["blackhole help render", "blackhole help scene check", "blackhole help camera"]
+      (HelpOn <$> many (strArgument (metavar "COMMAND|TOPIC..." <> completeWith ("man" : concatMap (words . commandName) commandHelps ++ topicNames) <> help "Words that name a command or a topic")))
   ]
   where
-    describe name summary examples parser = Described (CommandHelp name summary examples (parserEntries parser)) parser
+    sceneTask (Described about parser) =
+      command (drop 6 (commandName about)) (info parser (progDesc (commandSummary about)))
+
+describedScenes :: [Described]
+describedScenes =
+  [ describe ("scene " ++ name) summary details examples (Task . Scenes <$> parser)
+    | (name, summary, details, examples, parser) <- sceneCommands
+  ]
+
+describe :: String -> String -> String -> [String] -> Parser Request -> Described
+describe name summary details examples parser = Described (CommandHelp name summary details examples (parserEntries parser)) parser
 
 commandLine :: String -> ParserInfo Request
-commandLine version = info (hsubparser (foldMap taskCommand described <> helpCommand) <**> versionOption <**> helper) fullDesc
+commandLine version = info (hsubparser (foldMap task described) <**> versionOption <**> helper) fullDesc
   where
-    taskCommand (Described about parser) =
-      command (commandName about) (info (Task <$> parser) (progDesc (commandSummary about)))
-    helpCommand =
-      command "help" . flip info (progDesc "Explain a command or a topic") $
-        HelpOn <$> optional (strArgument (metavar "COMMAND|TOPIC" <> completeWith ("man" : map commandName commandHelps ++ topicNames)))
+    task (Described about parser) = command (commandName about) (info parser (progDesc (commandSummary about)))
     versionOption =
-      infoOption version (long "version" <> help "Print the version and stop")
+      infoOption version (long "version" <> help "Print the version and exit")
 
 renderOptions :: Parser RenderOptions
 renderOptions =
   RenderOptions
     <$> sceneOptions
-    <*> setting (strOption (long "from" <> metavar "PICTURE" <> help "Picture of this program whose scene to start from, in the place of a scene file"))
+    <*> setting (strOption (long "from" <> metavar "PICTURE" <> filesEnding (map fst formatExtensions) <> help "Start from the scene stored in a picture that this program wrote"))
     <*> codingOptions
-    <*> toggle (long "preview" <> help "Draw the picture in the terminal, as large as that is, instead of writing a file")
-    <*> setting (option wholeNumber (long "threads" <> metavar "N" <> help "Workers (default: one per core); the picture is the same for any number"))
+    <*> toggle (long "preview" <> help "Draw the picture in the terminal instead of writing a file")
+    <*> threadsOption
     <*> setting (option pixelPlace (long "pixel" <> metavar "X,Y" <> help "Explain the colour of one pixel instead of rendering; 0,0 is the top left"))
-    <*> setting (option tilePart (long "tile" <> metavar "I/N" <> help "Render a band of the picture, part I of N, into a tile file (-o FILE.tile) for blackhole join"))
+    <*> setting (option tilePart (long "tile" <> metavar "I/N" <> help "Render part I of N, a band of rows, to a tile file (-o FILE.tile) for blackhole join"))
     <*> runOptions
-    <*> settingOr "blackhole.png" (strOption (long "output" <> short 'o' <> metavar "FILE" <> action "file" <> help "File to write: .png, .jpg, .tif, .hdr or .exr, or - for a PNG to standard output (default: blackhole.png)"))
+    <*> setting (strOption (long "output" <> short 'o' <> metavar "FILE" <> action "file" <> help "File to write: .png, .jpg, .tif, .hdr or .exr; - writes a PNG to standard output (default: blackhole.png)"))

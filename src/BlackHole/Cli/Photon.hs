@@ -1,17 +1,18 @@
--- | @blackhole photon@: its options, and what it prints about one light path.
+-- | @blackhole photon@: its options, and its report on one light path.
 module BlackHole.Cli.Photon
   ( -- * Options
     PhotonOptions (..),
     photonOptions,
 
     -- * The task
-    PhotonTask (..),
+    PhotonTask,
     resolvePhoton,
 
     -- * Its outcome
     PhotonOutcome (..),
     photonOutcome,
     outcomeText,
+    outcomePoints,
     outcomeCsv,
   )
 where
@@ -29,7 +30,8 @@ import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Lazy as Lazy
-import Data.List (intercalate, transpose)
+import Data.Char (isUpper, toLower)
+import Data.List (intercalate, isSuffixOf, stripPrefix, transpose)
 import Data.Maybe (fromMaybe)
 import Options.Applicative
 
@@ -43,123 +45,134 @@ data PhotonOptions = PhotonOptions
     photonIntegrator :: !Integrator,
     photonStep :: !(Maybe Double),
     photonJson :: !Bool,
-    photonPath :: !(Maybe FilePath)
+    photonPath :: !(Maybe FilePath),
+    -- | Do not report that the path is written.
+    photonQuiet :: !Bool
   }
   deriving (Eq, Show)
 
--- | Their grammar.
+-- | Their parser.
 photonOptions :: Parser PhotonOptions
 photonOptions =
   PhotonOptions
-    <$> setting (option number (long "impact" <> metavar "B" <> help "Light from infinity with this impact parameter, in Schwarzschild radii"))
-    <*> setting (option number (long "distance" <> metavar "R" <> help "Instead: the line of sight of a camera at rest, this far from the hole"))
-    <*> setting (option number (long "inclination" <> metavar "DEGREES" <> help "Observer's angle from the disk's axis (with --impact 0 by default)"))
-    <*> setting (option number (long "psi" <> metavar "DEGREES" <> help "With --distance: angle of the line of sight from the hole's centre"))
-    <*> setting (option number (long "eta" <> metavar "DEGREES" <> help "Position angle about the hole's centre, from right towards up (with --impact 0 by default)"))
-    <*> settingOr Exact (option (named "an integrator" [(integratorName i, i) | i <- [Exact, Leapfrogging]]) (long "integrator" <> metavar "NAME" <> help "exact, or leapfrog with its errors beside the exact values"))
-    <*> setting (option number (long "step" <> metavar "L" <> help "The leapfrog's base length in Schwarzschild radii (default: 0.1)"))
+    <$> setting (option number (long "impact" <> metavar "B" <> help "Follow light from infinity with this impact parameter, in r_s"))
+    <*> setting (option number (long "distance" <> metavar "R" <> help ("Distance of the camera from the hole in r_s, with --psi (default: " ++ showDouble standardDistance ++ ")")))
+    <*> setting (option number (long "inclination" <> metavar "DEGREES" <> help ("Angle between the disk's axis and the camera, or the direction that the light goes to (default: " ++ showDouble standardInclination ++ ")")))
+    <*> setting (option number (long "psi" <> metavar "DEGREES" <> help "Follow the line of sight at this angle from the direction of the hole's centre"))
+    <*> setting (option number (long "eta" <> metavar "DEGREES" <> help ("Position angle of the path about the hole's centre, from right towards up (default: " ++ showDouble standardEta ++ ")")))
+    <*> settingOr Exact (option (named "an integrator" [(integratorName i, i) | i <- [minBound ..]]) (long "integrator" <> metavar "NAME" <> completeWith (map integratorName [minBound ..]) <> help "How to follow the light: exact (closed form), table (as render does by default) or leapfrog; the latter two with their errors (default: exact)"))
+    <*> setting (option number (long "step" <> metavar "L" <> help "Base step length of the leapfrog in r_s (default: 0.1)"))
     <*> toggle (long "json" <> help "Print JSON instead of a table")
-    <*> setting (strOption (long "path" <> metavar "FILE.csv" <> help "Also write the path: swept angle, r, x, y, z"))
+    <*> setting (strOption (long "path" <> metavar "FILE.csv" <> action "file" <> help "Also write the points of the path: swept angle, r, x, y, z"))
+    <*> toggle (long "quiet" <> short 'q' <> help "Do not report that the path is written")
 
--- | A light path to look into.
-data PhotonTask = PhotonTask
-  { taskCourse :: !Course,
-    -- | The step rule of the leapfrog, if that is to follow the path too.
-    taskLeapfrog :: !(Maybe StepRule)
-  }
+-- The camera of the default scene, and a line of sight to the right of the hole.
+standardDistance, standardInclination, standardEta :: Double
+standardDistance = 30
+standardInclination = 82
+standardEta = 0
 
--- | The path that the options describe, or everything that is wrong with them
--- (at least one problem).
+-- | A light path, and how to follow it.
+data PhotonTask = PhotonTask !Course !Method
+
+-- | The ways to follow it.
+data Method
+  = ClosedForm
+  | Leapfrog !StepRule
+  | -- | The same path from the renderer's table.
+    FromTable !Course
+
+-- | The path that the options describe, or all their mistakes (at least one).
 resolvePhoton :: PhotonOptions -> Either [Problem] PhotonTask
-resolvePhoton options = case (startProblems ++ stepProblems ++ pathProblems, course) of
-  ([], Just path) -> Right (PhotonTask path rule)
-  (problems, _) -> Left problems
+resolvePhoton options = case (problems, course, method) of
+  ([], Just path, Just way) -> Right (PhotonTask path way)
+  _ -> Left problems
   where
-    (startProblems, course) = case (photonImpact options, photonDistance options, photonPsi options) of
-      (Just b, Nothing, Nothing) ->
-        ( checkNumber "--impact" (\v -> v >= 0 && v <= 1e6) "a length from 0 to 1e6 (Schwarzschild radii)" b
-            ++ foldMap (checkNumber "--inclination" inclinationGood inclinationRange) (photonInclination options)
-            ++ foldMap (checkNumber "--eta" etaGood etaRange) (photonEta options),
-          Just (courseFromInfinity sight b)
+    problems = startProblems ++ sightProblems ++ methodProblems ++ pathProblems
+    (startProblems, course) = case (photonImpact options, photonPsi options) of
+      (Just b, Nothing)
+        | Nothing <- photonDistance options ->
+          (checkNumber "--impact" (\v -> v >= 0 && v <= 1e6) "a length from 0 to 1e6 (Schwarzschild radii)" b, Just (courseFromInfinity sight b))
+      (Just _, _) -> ([Mistake "--impact" "cannot be combined with --psi or --distance"], Nothing)
+      (Nothing, Nothing) -> ([Mistake "--psi" "missing; give --psi DEGREES for a line of sight, or --impact B for light from infinity"], Nothing)
+      (Nothing, Just angle) ->
+        ( checkNumber "--distance" (\r -> r > 1 && r <= 1e6) "a distance above 1 and up to 1e6 (Schwarzschild radii)" distance
+            ++ checkNumber "--psi" (\a -> a >= 0 && a <= 180) "an angle from 0 to 180 (degrees from the direction of the hole's centre)" angle,
+          courseFromCamera sight distance (toRadians (Degrees angle))
         )
-      (Just _, _, _) ->
-        ([Problem "--impact" "together with --distance or --psi" "one way to give a light path; choose either"], Nothing)
-      (Nothing, Nothing, Nothing) ->
-        ([Problem "--impact" "nothing" "enough to know the light path; give --impact B, or --distance R --inclination I --psi P --eta E"], Nothing)
-      (Nothing, distance, psi) ->
-        ( requireNumber "--distance" (\r -> r > 1 && r <= 1e6) "a distance above 1 and up to 1e6 (Schwarzschild radii)" distance
-            ++ requireNumber "--inclination" inclinationGood inclinationRange (photonInclination options)
-            ++ requireNumber "--psi" (\a -> a >= 0 && a <= 180) "an angle from 0 to 180 (degrees from the hole's centre)" psi
-            ++ requireNumber "--eta" etaGood etaRange (photonEta options),
-          do
-            r <- distance
-            angle <- psi
-            courseFromCamera sight r (toRadians (Degrees angle))
-        )
-    sight = Sight (angleOf photonInclination) (angleOf photonEta)
-    angleOf field = toRadians (Degrees (fromMaybe 0 (field options)))
-    inclinationGood i = i >= 0 && i <= 180
-    inclinationRange = "an angle from 0 to 180 (degrees from the disk's axis)"
-    etaGood a = abs a <= 360
-    etaRange = "an angle from -360 to 360 (degrees from right towards up)"
-    (rule, stepProblems) = case (photonIntegrator options, photonStep options) of
-      (Leapfrogging, Just l) ->
-        ( Just (ReportSteps l reportWidth),
-          checkNumber "--step" (\v -> v >= 1e-5 && v <= 10) "a length from 0.00001 to 10 (Schwarzschild radii)" l
-        )
-      (Leapfrogging, Nothing) -> (Just reportStepRule, [])
-      (_, Just l) -> (Nothing, [Problem "--step" (showDouble l) "of use to the exact integrator; add --integrator leapfrog"])
-      (_, Nothing) -> (Nothing, [])
-    -- The thickness of the disk in the report's rule.
+    distance = fromMaybe standardDistance (photonDistance options)
+    inclination = fromMaybe standardInclination (photonInclination options)
+    eta = fromMaybe standardEta (photonEta options)
+    sight = Sight (toRadians (Degrees inclination)) (toRadians (Degrees eta))
+    sightProblems =
+      checkNumber "--inclination" (\i -> i >= 0 && i <= 180) "an angle from 0 to 180 (degrees from the disk's axis)" inclination
+        ++ checkNumber "--eta" (\a -> abs a <= 360) "an angle from -360 to 360 (degrees from right towards up)" eta
+    (methodProblems, method) = case (photonIntegrator options, photonStep options) of
+      (Leapfrogging, Just l) -> (checkNumber "--step" (\v -> v >= 1e-5 && v <= 10) "a length from 0.00001 to 10 (Schwarzschild radii)" l, Just (Leapfrog (ReportSteps l reportWidth)))
+      (_, Just l) -> ([Mistake "--step" (showDouble l ++ " has no effect; it applies only with --integrator leapfrog")], Nothing)
+      (Leapfrogging, Nothing) -> ([], Just (Leapfrog reportStepRule))
+      (Exact, Nothing) -> ([], Just ClosedForm)
+      (Tabulated, Nothing) -> case photonPsi options of
+        Just angle -> ([], FromTable <$> courseFromTable sight distance (toRadians (Degrees angle)))
+        Nothing -> ([Mistake "--integrator" "table applies only with --psi; it holds the paths that start at the camera's distance"], Nothing)
+    -- The thickness of the disk in the step rule of the design report.
     reportWidth = case reportStepRule of
       ReportSteps _ w -> w
       EqualSteps _ -> 0.01
-    pathProblems = [Problem "--path" "an empty name" "a file to write" | photonPath options == Just ""]
+    pathProblems = [Problem "--path" "an empty name" "the name of a file" | photonPath options == Just ""]
 
--- | What is known about the path in the end.
+-- | The reports on a path.
 data PhotonOutcome
-  = -- | The closed form alone.
+  = -- | That of the closed form alone.
     ExactOutcome !PathReport
-  | -- | The leapfrog's report, and the exact one.
-    LeapfrogOutcome !PathReport !PathReport
+  | -- | That of another method, whose name comes first, and that of the closed form.
+    ComparedOutcome !String !PathReport !PathReport
   deriving (Eq, Show)
 
--- | Follow the photon. The path is drawn out to 100 Schwarzschild radii, to
--- the camera, or to four times the impact parameter, whichever is greatest.
+-- | Follow the light. The path's points extend to 100 Schwarzschild radii, to the
+-- camera, or to four times the impact parameter, whichever is farthest.
 photonOutcome :: PhotonTask -> PhotonOutcome
-photonOutcome (PhotonTask course leapfrog) = case leapfrog of
-  Nothing -> ExactOutcome exact
-  Just rule -> LeapfrogOutcome (leapfrogReport rule drawn course) exact
+photonOutcome (PhotonTask course method) = case method of
+  ClosedForm -> ExactOutcome exact
+  Leapfrog rule -> ComparedOutcome "leapfrog" (leapfrogReport rule drawn course) exact
+  FromTable tabulated -> ComparedOutcome "table" (exactReport drawn tabulated) exact
   where
     exact = exactReport drawn course
     drawn = max 100 (4 * courseImpactParameter course)
 
--- | The outcome as a table, or as JSON.
+-- | The outcome as JSON or, with 'False', as a table with units.
 outcomeText :: Bool -> PhotonOutcome -> String
 outcomeText json outcome
   | json = renderJson . Object $ case outcome of
     ExactOutcome report -> reportMembers report
-    LeapfrogOutcome report exact ->
+    ComparedOutcome _ report exact ->
       reportMembers report
         ++ [ ("exact", Object (reportMembers exact)),
              ("error", Object (differenceMembers (reportDifference report exact)))
            ]
-  | otherwise = table $ case outcome of
-    ExactOutcome report -> flatten (reportMembers report)
-    LeapfrogOutcome report exact ->
-      ["", "leapfrog", "exact", "error"] :
-      besides (flatten (reportMembers report)) (flatten (reportMembers exact)) (flatten (differenceMembers (reportDifference report exact)))
+  | otherwise = case outcome of
+    ExactOutcome report -> table [[name, content, unitOf name] | (name, content) <- rows report] ++ legend report
+    ComparedOutcome name report exact ->
+      table (["", name, "exact", "error", ""] : besides (rows report) (rows exact) (flatten (differenceMembers (reportDifference report exact))))
+        ++ legend report
   where
-    besides rows exact errors =
-      [ [name, content, cell name exact, cell name errors]
-        | name <- map label rows ++ filter (`notElem` map label rows) (map label exact),
-          let content = cell name rows
+    rows = flatten . reportMembers
+    besides own exact errors =
+      [ [name, cell name own, cell name exact, cell name errors, unitOf name]
+        | name <- map fst own ++ filter (`notElem` map fst own) (map fst exact)
       ]
-    cell name = fromMaybe "-" . lookup name . map pair
-    label = fst . pair
-    pair row = case row of
-      [name, content] -> (name, content)
-      _ -> ("", "")
+    cell name = fromMaybe "-" . lookup name
+    legend report =
+      unlines $
+        ["", "r_s is the Schwarzschild radius 2GM/c^2. A drift is relative to the value at the start."]
+          ++ ( if null (reportCrossings report)
+                 then []
+                 else
+                   [ "A crossing is a point where the path crosses the disk's plane; its azimuth is",
+                     "atan2(z, x). g is the frequency that the observer measures over the frequency",
+                     "that gas emits there, on its circular orbit or, within 3 r_s, falling inwards."
+                   ]
+             )
 
 reportMembers :: PathReport -> [(String, Json)]
 reportMembers report =
@@ -195,20 +208,30 @@ crossingList crossings =
 maybeNumber :: Maybe Double -> Json
 maybeNumber = maybe Null Number
 
--- | One row of name and content for every single value.
-flatten :: [(String, Json)] -> [[String]]
+-- | The name and content of every single value.
+flatten :: [(String, Json)] -> [(String, String)]
 flatten = concatMap (uncurry rows)
   where
     rows name json = case json of
-      List items -> concat (zipWith (\n item -> rows (name ++ "[" ++ show n ++ "]") item) [1 :: Int ..] items)
-      Object members -> concatMap (\(key, member) -> rows (name ++ "." ++ key) member) members
-      Text s -> [[name, s]]
-      Number d -> [[name, showDouble d]]
-      Whole n -> [[name, show n]]
-      Truth b -> [[name, if b then "yes" else "no"]]
-      Null -> [[name, "-"]]
+      List items -> concat (zipWith (\n item -> rows (spaced name ++ " " ++ show n) item) [1 :: Int ..] items)
+      Object members -> concatMap (\(key, member) -> rows (singular name ++ ", " ++ key) member) members
+      Text s -> [(spaced name, s)]
+      Number d -> [(spaced name, showDouble d)]
+      Whole n -> [(spaced name, show n)]
+      Truth b -> [(spaced name, if b then "yes" else "no")]
+      Null -> [(spaced name, "-")]
+    -- JSON's "impactParameter" is "impact parameter" in the table.
+    spaced = concatMap (\c -> if isUpper c then [' ', toLower c] else [c])
+    singular name = fromMaybe name (stripPrefix "crossings" name >>= Just . ("crossing" ++))
 
--- | Columns of equal width, without blanks at the ends of lines.
+-- | The unit of the value of this name in the table.
+unitOf :: String -> String
+unitOf name
+  | any (`isSuffixOf` name) ["impact parameter", "closest approach", ", r"] = "r_s"
+  | any (`isSuffixOf` name) ["angle", "deflection", "azimuth"] = "rad"
+  | otherwise = ""
+
+-- | Columns, without blanks at the ends of lines.
 table :: [[String]] -> String
 table rows = unlines (map line rows)
   where
@@ -217,14 +240,17 @@ table rows = unlines (map line rows)
     padded n s = s ++ replicate (n - length s) ' '
     dropBlanks = reverse . dropWhile (== ' ') . reverse
 
--- | The path that was followed, as CSV: swept angle in radians, and radius and
--- place in Schwarzschild radii.
+-- | The points of the path.
+outcomePoints :: PhotonOutcome -> [PathPoint]
+outcomePoints outcome = reportPath $ case outcome of
+  ExactOutcome report -> report
+  ComparedOutcome _ report _ -> report
+
+-- | The points of the path as CSV: swept angle in radians, and radius and position in
+-- Schwarzschild radii.
 outcomeCsv :: PhotonOutcome -> Lazy.ByteString
-outcomeCsv outcome = Builder.toLazyByteString (foldMap line (heading : map row points))
+outcomeCsv outcome = Builder.toLazyByteString (foldMap line (heading : map row (outcomePoints outcome)))
   where
     heading = ["swept_angle_rad", "r", "x", "y", "z"]
-    points = reportPath $ case outcome of
-      ExactOutcome report -> report
-      LeapfrogOutcome report _ -> report
     row (PathPoint angle place@(XYZ x y z)) = map showDouble [angle, XYZ.norm place, x, y, z]
     line cells = Builder.string7 (intercalate "," cells) <> Builder.char7 '\n'

@@ -22,14 +22,14 @@ data Palette
     TrueColour
   | -- | The 256 colours of xterm, likewise.
     IndexedColour
-  | -- | Letters of growing density, one for each two pixels.
+  | -- | Characters of increasing density, one for two pixels.
     Letters
   deriving (Eq, Show, Enum, Bounded)
 
 -- | The palette for an environment, given whether the output is a terminal:
--- letters where it is none, under @NO_COLOR@ (no-color.org), or where @TERM@ is
--- missing or @dumb@; true colour where @COLORTERM@ or @TERM@ promises it; else
--- 256 colours.
+-- characters without a terminal, with @NO_COLOR@ (no-color.org), or if @TERM@ is
+-- missing or @dumb@; true colour if @COLORTERM@ or @TERM@ says so; otherwise 256
+-- colours.
 palette :: Bool -> [(String, String)] -> Palette
 palette isTerminal environment
   | not isTerminal || given "NO_COLOR" || term `elem` ["", "dumb"] = Letters
@@ -40,10 +40,10 @@ palette isTerminal environment
     given = not . null . value
     term = value "TERM"
 
--- | @previewSize columns lines (width, height)@: the pixels of a preview of a
--- picture of these proportions that leaves the terminal's last line free, its
--- height even. A character is two pixels high, which makes pixels nearly square.
--- At least one column and one line.
+-- | @previewSize columns lines (width, height)@: the width and (even) height in pixels of
+-- the largest preview of a picture of these proportions that leaves the terminal's last
+-- line free, at least one column and one line. A character shows two pixels, one above
+-- the other, which makes them nearly square.
 previewSize :: Int -> Int -> (Int, Int) -> (Int, Int)
 previewSize columns textLines (width, height) = (max 1 (min columns across), 2 * max 1 (min room down))
   where
@@ -52,8 +52,8 @@ previewSize columns textLines (width, height) = (max 1 (min columns across), 2 *
     across = round (fitted * fromIntegral width)
     down = round (fitted * fromIntegral height / 2)
 
--- | Developed codes of three channels as lines of text, each ended and with its
--- colours taken back. Of a picture of odd height the last row is left out.
+-- | A developed picture of three channels as lines of text, each of which ends with a
+-- reset of the colours. Drops the last row of a picture of odd height.
 previewText :: Palette -> PixelArray Word8 -> String
 previewText colours codes = concatMap line [0, 2 .. shapeHeight shape - 2]
   where
@@ -67,7 +67,7 @@ previewText colours codes = concatMap line [0, 2 .. shapeHeight shape - 2]
       _ -> "\ESC[0m\n"
     go before (cell@(upper, lower) : rest) = case colours of
       Letters -> letter upper lower : go before rest
-      -- The colours are said again only where they change.
+      -- Escape codes are written only where the colours change.
       TrueColour -> said before cell (direct "38" upper ++ direct "48" lower) ++ "▀" ++ go (Just cell) rest
       IndexedColour -> said before cell (indexed "38" upper ++ indexed "48" lower) ++ "▀" ++ go (Just cell) rest
     said before cell escape = if before == Just cell then "" else escape
@@ -76,13 +76,13 @@ previewText colours codes = concatMap line [0, 2 .. shapeHeight shape - 2]
     letter a b = densities !! min (length densities - 1) (floor (fromIntegral (length densities) * (lightness a + lightness b) / 2))
     densities = " .:-=+*#%@"
 
--- | What the eye makes of a code's luminance, 0 to 1.
+-- | The approximate perceived lightness of a pixel, 0 to 1.
 lightness :: (Word8, Word8, Word8) -> Double
 lightness (r, g, b) = luminance (Radiance (linear r) (linear g) (linear b)) ** (1 / 2.2)
   where
     linear c = decodeSrgb (fromIntegral c / 255)
 
--- | The nearest of xterm's 216 colours and 24 greys, as codes go.
+-- | The nearest of xterm's 216 colours and 24 greys, by distance between codes.
 nearestIndex :: (Word8, Word8, Word8) -> Int
 nearestIndex (r, g, b)
   | distance (cubeLevel r', cubeLevel g', cubeLevel b') <= distance (greyLevel, greyLevel, greyLevel) =

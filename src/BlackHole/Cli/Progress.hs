@@ -1,8 +1,8 @@
--- | Telling how far a rendering is, on standard error.
+-- | Reports on the progress of a rendering, on standard error.
 module BlackHole.Cli.Progress
   ( ProgressMode (..),
 
-    -- * In words
+    -- * As text
     Progress (..),
     raysPerSecond,
     secondsLeft,
@@ -27,9 +27,9 @@ import qualified System.Console.Terminal.Size as Terminal
 import System.Environment (lookupEnv)
 import System.IO (hIsTerminalDevice, stderr)
 
--- | How to tell.
+-- | How to report progress.
 data ProgressMode
-  = -- | A bar on a terminal; lines elsewhere.
+  = -- | A bar on a terminal, otherwise lines.
     AutoProgress
   | BarProgress
   | LineProgress
@@ -38,25 +38,25 @@ data ProgressMode
   | NoProgress
   deriving (Eq, Show)
 
--- | How far a rendering is.
+-- | The progress of a rendering.
 data Progress = Progress
   { progressRows :: !Int,
     progressRowsDone :: !Int,
     -- | Rays in one row: pixels times samples.
     progressRowRays :: !Int,
-    -- | Since the beginning.
+    -- | Since the start.
     progressSeconds :: !Double
   }
   deriving (Eq, Show)
 
--- | Rays over time; 'Nothing' before there is anything to go by.
+-- | Rays per second so far; 'Nothing' before the first row.
 raysPerSecond :: Progress -> Maybe Double
 raysPerSecond p
   | progressRowsDone p > 0 && progressSeconds p > 0 =
     Just (fromIntegral (progressRowsDone p) * fromIntegral (progressRowRays p) / progressSeconds p)
   | otherwise = Nothing
 
--- | What the rest will take at the pace so far.
+-- | Estimated seconds for the remaining rows; 'Nothing' before the first row.
 secondsLeft :: Progress -> Maybe Double
 secondsLeft p
   | progressRowsDone p > 0 =
@@ -66,9 +66,8 @@ secondsLeft p
 fraction :: Progress -> Double
 fraction p = min 1 (max 0 (fromIntegral (progressRowsDone p) / fromIntegral (max 1 (progressRows p))))
 
--- | A bar for a line of that many columns, coloured or plain: bar, percent, pace,
--- elapsed time, time left. No longer than the columns, unless these are fewer
--- than the numbers need without any bar.
+-- | A bar, in colour or not, followed by the text of 'progressTextLine'. It fits into
+-- the given number of columns, unless the text alone is longer.
 progressBarLine :: Bool -> Int -> Progress -> String
 progressBarLine coloured columns p
   | room >= 5 = "[" ++ paint (replicate full '=') ++ replicate (bar - full) ' ' ++ "] " ++ text
@@ -80,7 +79,7 @@ progressBarLine coloured columns p
     full = floor (fraction p * fromIntegral bar) :: Int
     paint s = if coloured then "\ESC[33m" ++ s ++ "\ESC[0m" else s
 
--- | The same without a bar.
+-- | Percentage, rays per second, elapsed time and remaining time.
 progressTextLine :: Progress -> String
 progressTextLine p =
   concat
@@ -91,8 +90,8 @@ progressTextLine p =
       foldMap (\s -> ", " ++ durationText s ++ " left") (secondsLeft p)
     ]
 
--- | One JSON object on one line: fraction done, rows, rays a second, seconds
--- elapsed and left; @null@ for what is not known yet.
+-- | One JSON object on one line: fraction done, rows, rays per second, seconds elapsed
+-- and left; @null@ for numbers that are not known yet.
 progressJsonLine :: Progress -> String
 progressJsonLine p =
   "{\"fraction\": " ++ showDouble (fraction p)
@@ -103,10 +102,10 @@ progressJsonLine p =
     ++ (", \"seconds_left\": " ++ maybe "null" showDouble (secondsLeft p))
     ++ "}"
 
--- | @withProgress mode rows rowRays action@: the action gets a function that
--- takes the number of rows done. A bar is drawn at most ten times a second and
--- cleared at the end; text comes every five seconds, so that short renderings
--- stay silent; objects come at most five a second, the last for the last row.
+-- | @withProgress mode rows rowRays action@: run an action with a function to call with
+-- the number of rows done. Draws a bar at most ten times a second and clears it at the
+-- end, or writes a line every five seconds, or a JSON object at most five times a
+-- second and for the last row.
 withProgress :: ProgressMode -> Int -> Int -> ((Int -> IO ()) -> IO a) -> IO a
 withProgress mode rows rowRays action = do
   terminal <- hIsTerminalDevice stderr

@@ -1,4 +1,4 @@
--- | @blackhole rays@: its options and the file it makes.
+-- | @blackhole rays@: its options and the contents of its file.
 module BlackHole.Cli.Rays
   ( RaysOptions (..),
     raysOptions,
@@ -10,6 +10,7 @@ module BlackHole.Cli.Rays
 where
 
 import BlackHole.Cli.Check
+import BlackHole.Cli.Json (showDouble)
 import BlackHole.Cli.Read
 import BlackHole.Figure.Raster (rasterise)
 import BlackHole.Figure.RayFan
@@ -27,20 +28,22 @@ data RaysOptions = RaysOptions
   { raysCount :: !Int,
     raysExtent :: !Double,
     raysWidth :: !Int,
-    raysOutput :: !FilePath
+    raysOutput :: !FilePath,
+    raysQuiet :: !Bool
   }
   deriving (Eq, Show)
 
--- | Their grammar.
+-- | Their parser.
 raysOptions :: Parser RaysOptions
 raysOptions =
   RaysOptions
-    <$> settingOr (fanRays defaultRayFan) (option wholeNumber (long "rays" <> metavar "N" <> help ("Number of rays; from 8 on, four of them wind around the hole (default: " ++ show (fanRays defaultRayFan) ++ ")")))
-    <*> settingOr (fanExtent defaultRayFan) (option number (long "extent" <> metavar "R" <> help ("Half of the figure's width in Schwarzschild radii (default: " ++ show (fanExtent defaultRayFan) ++ ")")))
+    <$> settingOr (fanRays defaultRayFan) (option wholeNumber (long "rays" <> metavar "N" <> help ("Number of rays, 1 to 1001; with 8 or more, four of them wind around the hole (default: " ++ show (fanRays defaultRayFan) ++ ")")))
+    <*> settingOr (fanExtent defaultRayFan) (option number (long "extent" <> metavar "R" <> help ("Half the width of the figure in Schwarzschild radii (default: " ++ showDouble (fanExtent defaultRayFan) ++ ")")))
     <*> settingOr (fanWidth defaultRayFan) (option wholeNumber (long "width" <> metavar "PIXELS" <> help ("Width of the figure (default: " ++ show (fanWidth defaultRayFan) ++ ")")))
-    <*> settingOr "rays.svg" (strOption (long "output" <> short 'o' <> metavar "FILE" <> help "File to write; .svg or .png decides what it is (default: rays.svg)"))
+    <*> settingOr "rays.svg" (strOption (long "output" <> short 'o' <> metavar "FILE" <> action "file" <> help "File to write, .svg or .png (default: rays.svg)"))
+    <*> toggle (long "quiet" <> short 'q' <> help "Do not report success")
 
--- | How the figure is written.
+-- | The file's format.
 data FigureFormat = Svg | Png
   deriving (Eq, Show, Enum, Bounded)
 
@@ -51,10 +54,9 @@ data RaysTask = RaysTask
   }
   deriving (Eq, Show)
 
--- | The figure that the options ask for, or everything that is wrong with them
--- (at least one problem).
+-- | The figure that the options ask for, or all their mistakes (at least one).
 resolveRays :: RaysOptions -> Either [Problem] RaysTask
-resolveRays (RaysOptions count extent width output) = case (format, problems) of
+resolveRays (RaysOptions count extent width output _) = case (format, problems) of
   (Just f, []) -> Right (RaysTask f (RayFan count extent width))
   (Just _, _) -> Left problems
   (Nothing, _) -> Left (problems ++ [Problem "--output" ("'" ++ output ++ "'") "a file name that ends in .svg or .png"])
@@ -68,8 +70,8 @@ resolveRays (RaysOptions count extent width output) = case (format, problems) of
       ".png" -> Just Png
       _ -> Nothing
 
--- | The file's bytes; the first argument is the program's name for the file's
--- record of its origin. Without a time stamp.
+-- | The file's bytes, with the program's name and version (the first argument) and
+-- without a time stamp.
 raysFile :: String -> RaysTask -> Lazy.ByteString
 raysFile software (RaysTask format fan) = case format of
   Svg -> renderSvg figure

@@ -1,81 +1,81 @@
--- | Options and readers for their values: strict about what they take, and with
--- messages that name the value.
+-- | Kinds of options, and strict readers for their values, whose messages quote the
+-- value.
 module BlackHole.Cli.Read
   ( setting,
     settingOr,
     toggle,
     number,
     wholeNumber,
-    seedNumber,
-    vector,
     pixelPlace,
     named,
     readNumber,
-    readVector,
     nearest,
+    filesEnding,
   )
 where
 
-import BlackHole.Scene.Field.Number (readNumber, readVector, splitOn)
-import BlackHole.Scene.Problem (nearest)
-import BlackHole.Vector.XYZ (XYZ)
+import BlackHole.Scene.Field.Number (readNumber, splitOn)
+import BlackHole.Scene.Problem (nearest, suggestion)
 import Data.Char (toLower)
-import Data.List (intercalate)
+import Data.List (intercalate, isPrefixOf)
 import Data.Maybe (fromMaybe)
-import Data.Word (Word64)
 import Options.Applicative
+import System.Directory (doesDirectoryExist, listDirectory)
+import System.FilePath (takeDirectory, takeExtension, takeFileName, (</>))
 import Text.Read (readMaybe)
 
--- | An option that need not be given; if it is given repeatedly, the last one
--- counts, so that scripts can set defaults and let their arguments follow.
+-- | An optional option. If it is given more than once, the last one counts, so that
+-- scripts can put their arguments after their defaults.
 setting :: Parser a -> Parser (Maybe a)
 setting = fmap (foldl (const Just) Nothing) . many
 
--- | The same with a value for when it is not given.
+-- | An optional option with its default.
 settingOr :: a -> Parser a -> Parser a
 settingOr standard = fmap (fromMaybe standard) . setting
 
--- | A switch, off unless it is given, however often.
+-- | A flag, which may be given more than once.
 toggle :: Mod FlagFields () -> Parser Bool
 toggle = fmap (not . null) . many . flag' ()
 
--- | A decimal number: @40@, @.5@, @-1e3@, @+2.@; also @nan@ and @inf@, which
--- the scene's own checks then refuse with the range that is allowed.
+-- | A decimal number, as 'readNumber' reads it.
 number :: ReadM Double
 number = eitherReader $ \s ->
   maybe (Left (notA s "a number")) Right (readNumber s)
 
--- | A whole number in decimal.
+-- | A whole number of at most 18 digits in decimal notation.
 wholeNumber :: Num a => ReadM a
 wholeNumber = eitherReader $ \s -> case readMaybe (dropPlus s) of
   Just n | abs n < 10 ^ (18 :: Int) -> Right (fromInteger n)
   _ -> Left (notA s "a whole number")
 
--- | A seed: a whole number that fits into 64 bits.
-seedNumber :: ReadM Word64
-seedNumber = eitherReader $ \s -> case readMaybe (dropPlus s) of
-  Just n | n >= 0 && n <= toInteger (maxBound :: Word64) -> Right (fromInteger n)
-  _ -> Left (notA s ("a whole number from 0 to " ++ show (maxBound :: Word64)))
-
--- | Three numbers with commas between them.
-vector :: ReadM XYZ
-vector = eitherReader $ \s ->
-  maybe (Left (notA s "X,Y,Z, three numbers with commas between them")) Right (readVector s)
-
--- | Column and row of a pixel: two whole numbers with a comma between them.
+-- | Column and row of a pixel: two whole numbers separated by a comma.
 pixelPlace :: ReadM (Int, Int)
 pixelPlace = eitherReader $ \s -> case map (readMaybe . dropPlus) (splitOn ',' s) of
   [Just x, Just y] | all ((< 10 ^ (18 :: Int)) . abs) [x, y] -> Right (fromInteger x, fromInteger y)
-  _ -> Left (notA s "X,Y, the column and row of a pixel")
+  _ -> Left (notA s "X,Y: the column and row of a pixel")
 
--- | One of some names, whatever its case.
+-- | One of several names, in any case. The first argument is a noun with its article.
 named :: String -> [(String, a)] -> ReadM a
 named what choices = eitherReader $ \s ->
   case lookup (map toLower s) choices of
     Just a -> Right a
-    Nothing -> Left (notA s (what ++ didYouMean s ++ "; there are: " ++ intercalate ", " (map fst choices)))
+    Nothing -> Left (notA s (what ++ didYouMean s ++ "; the choices are: " ++ intercalate ", " (map fst choices)))
   where
-    didYouMean s = maybe "" (\n -> " (did you mean " ++ n ++ "?)") (nearest s (map fst choices))
+    didYouMean s = suggestion s (map fst choices)
+
+-- | Completion with the files that have one of these extensions, and folders.
+filesEnding :: HasCompleter f => [String] -> Mod f a
+filesEnding extensions = completer . mkCompleter $ \word -> do
+  let place = takeDirectory word
+      start = takeFileName word
+  exists <- doesDirectoryExist place
+  names <- if exists then listDirectory place else pure []
+  concat <$> mapM (offered place) [name | name <- names, start `isPrefixOf` name, take 1 name /= "." || take 1 start == "."]
+  where
+    offered place name = do
+      let path = if place == "." then name else place </> name
+      folder <- doesDirectoryExist path
+      pure [if folder then path ++ "/" else path | folder || map toLower (takeExtension name) `elem` extensions]
 
 notA :: String -> String -> String
 notA given what = "'" ++ given ++ "' is not " ++ what

@@ -1,4 +1,4 @@
--- | What the program does: from its arguments to its exit code.
+-- | The program: from its arguments to its exit code.
 module BlackHole.Cli.Run
   ( run,
     ExitStatus (..),
@@ -9,17 +9,23 @@ module BlackHole.Cli.Run
 where
 
 import BlackHole.Animation.Exposure
-import BlackHole.Animation.Film (filmScene)
+import BlackHole.Animation.Film (filmScene, filmShutter, shutterOpen, stillFilm)
+import BlackHole.Animation.FrameName (frameFile, frameNumber, parseFrameName)
 import BlackHole.Cli.Animate
+import BlackHole.Cli.AnimateReport (filmStats)
+import BlackHole.Cli.Check (checkThreads)
 import BlackHole.Cli.Console
 import BlackHole.Cli.Explain (explanationLines, pixelProblems)
 import BlackHole.Cli.FilmScene (loadFilm)
+import BlackHole.Cli.Help (CommandHelp (commandName))
 import BlackHole.Cli.Join
+import BlackHole.Cli.Json
 import BlackHole.Cli.Memory
 import BlackHole.Cli.Options
+import BlackHole.Cli.Overwriting (overwritten)
 import BlackHole.Cli.Photon
 import BlackHole.Cli.Preview
-import BlackHole.Cli.Progress (withProgress)
+import BlackHole.Cli.Progress (ProgressMode (JsonProgress), withProgress)
 import BlackHole.Cli.Rays hiding (Png)
 import BlackHole.Cli.RunOptions
 import BlackHole.Cli.SceneCommand (SceneCommand (..), sceneText)
@@ -41,45 +47,54 @@ import BlackHole.Render.PixelShape (pixelShape, shapeHeight)
 import BlackHole.Render.Shard (shardRows)
 import BlackHole.Render.Workers
 import BlackHole.Scene.Camera (Picture (..))
+import BlackHole.Scene.Field.Field (fieldLabel)
+import BlackHole.Scene.Field.Table (findField)
 import BlackHole.Scene.File.SceneFile (printScene)
 import BlackHole.Scene.Scene
+import BlackHole.Scene.Setting (Setting (settingPath))
 import BlackHole.Scene.Validate
 import BlackHole.SelfTest.Check (Check, checkHolds)
-import BlackHole.Trace.Explain (explainPixelUnder)
+import BlackHole.Trace.Explain (explainPixel)
+import BlackHole.Trace.Pixel (tracerUnder)
+import BlackHole.Trace.Sky (neededPicture)
 import BlackHole.Trace.SkyImage (SkyImage)
 import Control.Applicative ((<|>))
 import Control.Exception (IOException, SomeAsyncException (..), SomeException, catch, displayException, fromException, throwIO, try)
-import Control.Monad (forM_, when)
+import Control.Monad (forM_, unless, when)
 import qualified Data.ByteString as Bytes
+import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Lazy as Lazy
 import Data.IORef
 import Data.List (intercalate)
 import Data.List.NonEmpty (NonEmpty (..))
-import Data.Maybe (fromMaybe)
+import Data.Maybe (fromMaybe, isJust)
 import qualified Data.Vector.Storable as Vector
 import Data.Version (showVersion)
 import GHC.Clock (getMonotonicTime)
+import Numeric (showFFloat)
 import qualified Paths_blackhole as Package
 import qualified System.Console.Terminal.Size as Terminal
+import System.Directory (listDirectory)
 import System.Environment (getEnvironment)
 import System.Exit (ExitCode (..))
+import System.FilePath (takeDirectory, (</>))
 import System.IO (Handle, IOMode (ReadMode), hIsTerminalDevice, stdout, withBinaryFile)
 import System.IO.Error (ioeGetErrorString)
 import System.Info (compilerName, compilerVersion)
 
--- | How a run ended.
+-- | The result of a run.
 data ExitStatus
-  = -- | All went well.
+  = -- | Success.
     Done
-  | -- | The program itself is at fault.
+  | -- | An internal error.
     InternalFault
-  | -- | The arguments are wrong.
+  | -- | Invalid command line.
     UsageError
-  | -- | The scene, or a file to read, is wrong.
+  | -- | An invalid scene, or an input file that cannot be read.
     BadInput
-  | -- | The result can't be written.
+  | -- | The output cannot be written.
     CannotWrite
-  | -- | A film lacks frames, or its film file.
+  | -- | Frames of a film or its film file are missing.
     Unfinished
   deriving (Eq, Show, Enum, Bounded)
 
@@ -98,12 +113,12 @@ versionLine :: String
 versionLine =
   programName ++ " (" ++ compilerName ++ "-" ++ showVersion compilerVersion ++ ", " ++ backendName ++ " arrays)"
 
--- | Name and version alone: what a picture file says of its origin.
+-- | Name and version, which picture files record.
 programName :: String
 programName = "blackhole " ++ showVersion Package.version
 
--- | Run the program on its arguments. Everything that can go wrong is one line
--- on standard error and an exit code.
+-- | Run the program with its arguments. Every failure is reported in one line on
+-- standard error and by the exit code.
 run :: [String] -> IO ExitCode
 run arguments = do
   outcome <- try (dispatch arguments)
@@ -116,47 +131,100 @@ run arguments = do
 dispatch :: [String] -> IO ExitStatus
 dispatch arguments
   | Just answer <- completion versionLine arguments = answer >>= printed Done
-  | otherwise = case parseArguments versionLine arguments of
-    Inform text -> printed Done (text ++ "\n")
-    Misused line -> complain UsageError (line ++ " (see: blackhole --help)")
-    Run (Render options) -> render options
-    Run (Join options) -> join options
-    Run (Animate options) -> animate options
-    Run (Scenes task) -> scenes task
-    Run (Photon options) -> photon options
-    Run (Rays options) -> rays options
-    Run (SelfTest options) -> do
-      (checks, text) <- runSelfTest options
-      printed (selfTestStatus checks) text
+  | otherwise =
+    mapM_ say (formerOptionWarnings arguments) >> case parseArguments versionLine arguments of
+      Inform text -> printed Done (text ++ "\n")
+      Unnamed text -> UsageError <$ tell (text ++ "\n")
+      Misused line -> complain UsageError (line ++ " (see: blackhole help" ++ concatMap (' ' :) (take 1 (filter (`elem` map commandName commandHelps) (take 1 arguments))) ++ ")")
+      Run (Render options) -> render options
+      Run (Join options) -> join options
+      Run (Animate options) -> animate options
+      Run (Scenes task) -> scenes task
+      Run (Photon options) -> photon options
+      Run (Rays options) -> rays options
+      Run (SelfTest options) -> do
+        (checks, text) <- runSelfTest options
+        printed (selfTestStatus checks) text
 
--- | A check that does not hold is a fault of the program.
+-- | A failed check is an internal error.
 selfTestStatus :: [Check] -> ExitStatus
 selfTestStatus checks
   | all checkHolds checks = Done
   | otherwise = InternalFault
 
--- | One light path, reported on standard output.
+-- | @blackhole photon@.
 photon :: PhotonOptions -> IO ExitStatus
 photon options = case resolvePhoton options of
   Left problems -> complainAll UsageError problems
   Right task -> do
+    start <- getMonotonicTime
     let outcome = photonOutcome task
     written <- maybe (pure (Right ())) (`writeFileAtomically` outcomeCsv outcome) (photonPath options)
     case written of
       Left problem -> complain CannotWrite ("--path: " ++ renderWriteProblem problem)
-      Right () -> printed Done (outcomeText (photonJson options) outcome)
+      Right () -> do
+        unless (photonQuiet options) $ mapM_ (\file -> succeeded start file (show (length (outcomePoints outcome)) ++ " points")) (photonPath options)
+        printed Done (outcomeText (photonJson options) outcome)
 
--- | The figure of light rays, from options to file.
+-- | @blackhole rays@.
 rays :: RaysOptions -> IO ExitStatus
 rays options = case resolveRays options of
   Left problems -> complainAll UsageError problems
   Right task -> do
+    start <- getMonotonicTime
     written <- writeFileAtomically (raysOutput options) (raysFile programName task)
     case written of
       Left problem -> complain CannotWrite ("--output: " ++ renderWriteProblem problem)
-      Right () -> pure Done
+      Right () -> Done <$ unless (raysQuiet options) (succeeded start (raysOutput options) (show (raysCount options) ++ " rays"))
 
--- | One picture, from options to file.
+-- | Report success on standard error: a file, what is in it, and the seconds since the
+-- start, as in @hole.png: 640 × 360, 1.3 s@.
+succeeded :: Double -> FilePath -> String -> IO ()
+succeeded start file content = do
+  end <- getMonotonicTime
+  tell (printable ((if file == "-" then "standard output" else file) ++ ": " ++ content ++ ", " ++ showFFloat (Just 1) (end - start) " s") ++ "\n")
+
+-- | The same for a picture, unless the options ask for silence; progress in JSON gets a
+-- JSON object.
+pictureSucceeded :: Reporting -> Double -> FilePath -> (Int, Int) -> IO ()
+pictureSucceeded reported start file (width, height) = case progressMode reported of
+  _ | reportQuiet reported -> pure ()
+  JsonProgress -> do
+    end <- getMonotonicTime
+    tell . (++ "\n") . unwords . words . renderJson $
+      Object [("file", Text file), ("width", Whole width), ("height", Whole height), ("seconds", Number (end - start))]
+  _ -> succeeded start file (show width ++ " × " ++ show height)
+
+-- | The options of @blackhole render@ that have no effect beside others: for each
+-- option, whether it is given, and the modes in which it does nothing.
+idleRenderOptions :: RenderOptions -> [Problem]
+idleRenderOptions options =
+  [ Mistake option ("has no effect with " ++ mode)
+    | (option, True, modes) <- table,
+      (mode, True) <- take 1 (filter snd modes)
+  ]
+  where
+    table =
+      [ ("--output", isJust (renderOutput options), [pixel, previewed]),
+        ("--bits", isJust (codingBits coding), [pixel, previewed, tile]),
+        ("--quality", isJust (codingQuality coding), [pixel, previewed, tile]),
+        ("--preview", renderPreview options, [pixel]),
+        ("--tile", isJust (renderTile options), [pixel, previewed]),
+        ("--threads", isJust (renderThreads options), [pixel]),
+        ("--progress", isJust (reportProgress reported), [pixel, previewed]),
+        ("--stats", isJust (reportStats reported), [pixel, previewed]),
+        ("--strict", runStrict how, [pixel, previewed]),
+        ("--keep-partial", runKeepPartial how, [pixel, previewed, tile]),
+        ("--preset", isJust (scenePreset (renderScene options)), [("--from", isJust (renderFrom options))])
+      ]
+    pixel = ("--pixel", isJust (renderPixel options))
+    previewed = ("--preview", renderPreview options)
+    tile = ("--tile", isJust (renderTile options))
+    coding = renderCoding options
+    how = renderRun options
+    reported = runReporting how
+
+-- | @blackhole render@.
 render :: RenderOptions -> IO ExitStatus
 render options
   | problem : problems <- usageProblems = complainAll UsageError (problem : problems)
@@ -171,23 +239,26 @@ render options
         | renderPreview options -> underSky scene (\sky -> withCrew (preview (skyFileImage <$> sky) scene))
         | Just _ <- renderTile options,
           not (null others) ->
-          complain BadInput "--tile: a frame of a film with an open shutter is rendered as a whole"
+          complain BadInput "--tile: a picture with motion blur cannot be rendered in tiles"
         | Just part <- renderTile options -> case tileProblems part (scenePicture scene) of
-          [] -> ready scene (snd (shardRows part (pictureHeight (scenePicture scene)))) (\sky crew -> tileTo sky crew part scene)
+          [] -> ready (Making Tile False False) scene (snd (shardRows part (pictureHeight (scenePicture scene)))) (\sky crew -> tileTo sky crew part scene)
           problems -> complainAll UsageError problems
         | otherwise -> case outputFormat output of
-          Just format -> case codingProblems format coding of
-            [] -> ready scene (pictureHeight (scenePicture scene)) (\sky crew -> renderTo sky crew format coding scenes')
+          Just format -> case codingProblem format coding of
+            [] -> ready (Making (WholePicture format) (not (null others)) (runKeepPartial how)) scene (pictureHeight (scenePicture scene)) (\sky crew -> renderTo sky crew format coding scenes')
             problems -> complainAll UsageError problems
           Nothing -> complainAll UsageError [unknownExtension]
   where
-    output = renderOutput options
+    output = renderTarget options
+    reported = runReporting how
     withCrew = inCrew (renderThreads options)
-    ready scene rows action = do
-      lacking <- memoryProblem scene rows
+    ready making scene rows action = do
+      clashes <- overwritten (sceneInputs (renderScene options) scene ++ [("--from", from) | Just from <- [renderFrom options]]) (("--output", output) : [("--stats", file) | Just file <- [reportStats reported]])
+      lacking <- memoryProblem making scene rows
       outputProblem <- outputFault output
-      statsProblem <- maybe (pure (Right ())) checkWritable (runStats how)
+      statsProblem <- maybe (pure (Right ())) checkWritable (reportStats reported)
       case (lacking, outputProblem, statsProblem) of
+        _ | _ : _ <- clashes -> UsageError <$ mapM_ say clashes
         (Just line, _, _) -> complain BadInput line
         (_, Just line, _) -> complain CannotWrite ("--output: " ++ line)
         (_, _, Left problem) -> complain CannotWrite ("--stats: " ++ renderWriteProblem problem)
@@ -196,12 +267,10 @@ render options
     unknownExtension = unknownExtensionOf output
     usageProblems =
       (if null (renderTile options) then [unknownExtension | Nothing <- [outputFormat output]] else tileNameProblems output)
-        ++ [ Problem "--threads" (show n) ("a whole number from 1 to " ++ show maximumWorkers)
-             | Just n <- [renderThreads options],
-               Nothing <- [workers n]
-           ]
-        ++ [ Problem "--from" (show from) "possible beside a scene file; choose either"
-             | Just from <- [renderFrom options],
+        ++ checkThreads (renderThreads options)
+        ++ idleRenderOptions options
+        ++ [ Mistake "--from" "cannot be combined with a scene file"
+             | Just _ <- [renderFrom options],
                Just _ <- [sceneFile (renderScene options)]
            ]
     renderTo sky crew format coding scenes'@(scene :| _) = do
@@ -213,32 +282,40 @@ render options
       let band = shardRows part (pictureHeight (scenePicture scene))
       exposing how {runKeepPartial = False} (skyFileImage <$> sky) crew (scene :| []) band output $ \exposed _ seconds ->
         finishing (skyFileImage <$> sky) crew scene band (exposedLight exposed) seconds $
-          maybe (complain CannotWrite "the tile can't be coded") (store output) (encodeTile (tileHeader (programName : skyLines sky) part scene) (exposedCounts exposed) (exposedLight exposed))
+          maybe (complain CannotWrite "the tile cannot be encoded") (store output) (encodeTile (tileHeader (programName : skyLines sky) part scene) (exposedCounts exposed) (exposedLight exposed))
     finishing picture crew scene band film traced write = do
+      start <- subtract traced <$> getMonotonicTime
       faults <- warnOfFaults crew (fst band) film
       if runStrict how && fst faults > 0
-        then complain InternalFault "--strict: no file is written because of them"
+        then complain InternalFault "--strict: no file is written because of these pixels"
         else do
           (status, writing) <- timed write
           memory <- peakMemory
           let stats = Stats versionLine scene picture crew band traced writing memory faults
-          case runStats how of
-            Just file | status == Done -> do
-              written <- writeFileAtomically file (statsText stats)
-              either (complain CannotWrite . ("--stats: " ++) . renderWriteProblem) (const (pure Done)) written
-            _ -> pure status
+          if status == Done
+            then do
+              pictureSucceeded reported start output (pictureWidth (scenePicture scene), snd band)
+              storeStats reported (statsText stats)
+            else pure status
 
--- | Trace rows of a scene, tell how far that is, and go on with the film, the
--- number of rows done and the seconds it took. If some is to be kept when a signal comes, bands are traced
--- one after the other, and those that are done make a film that is black below.
+-- | Write the statistics, if the options ask for them.
+storeStats :: Reporting -> Lazy.ByteString -> IO ExitStatus
+storeStats reported text = case reportStats reported of
+  Just file -> either (complain CannotWrite . ("--stats: " ++) . renderWriteProblem) (const (pure Done)) =<< writeFileAtomically file text
+  Nothing -> pure Done
+
+-- | Trace rows of a scene and report the progress, then continue with the film, the
+-- number of finished rows and the seconds it took. With @--keep-partial@, trace bands one
+-- after the other; after a signal, continue with a film of the finished bands that is
+-- black below them.
 exposing :: RunOptions -> Maybe SkyImage -> Workers -> NonEmpty Scene -> (Int, Int) -> FilePath -> (Exposed -> Int -> Double -> IO ExitStatus) -> IO ExitStatus
 exposing how sky crew scenes'@(scene :| others) (first, rows) output finish
   | runKeepPartial how = do
     kept <- newIORef []
     start <- getMonotonicTime
     let bands = [(from, min bandRows (rows - from)) | from <- [0, bandRows .. rows - 1]]
-    outcome <- try . timed . tracking $ \tell -> forM_ bands $ \(from, count) -> do
-      band <- exposeMomentRows sky crew (tell . (from +) . rowsOf count) scenes' (first + from, count)
+    outcome <- try . timed . tracking $ \report -> forM_ bands $ \(from, count) -> do
+      band <- exposeMomentRows sky crew (report . (from +) . rowsOf count) scenes' (first + from, count)
       modifyIORef' kept (maybe id (:) band)
     done <- reverse <$> readIORef kept
     let light = map exposedLight done
@@ -254,17 +331,17 @@ exposing how sky crew scenes'@(scene :| others) (first, rows) output finish
         finish exposed rows seconds `catch` \stop -> finish exposed rows seconds >> throwIO (stop :: Stopped)
       (Just exposed, Left stop)
         | rowsDone > 0 -> do
-          say (output ++ ": " ++ show rowsDone ++ " of " ++ show rows ++ " rows are done, the others stay black")
+          say (output ++ ": " ++ show rowsDone ++ " of " ++ show rows ++ " rows are finished, the others are black")
           end <- getMonotonicTime
           _ <- finish exposed rowsDone (end - start)
           throwIO (stop :: Stopped)
         | otherwise -> throwIO stop
   | otherwise = do
-    (exposed, seconds) <- timed (tracking (\tell -> exposeMomentRows sky crew (tell . rowsOf rows) scenes' (first, rows)))
+    (exposed, seconds) <- timed (tracking (\report -> exposeMomentRows sky crew (report . rowsOf rows) scenes' (first, rows)))
     maybe untraceable (\light -> finish light rows seconds) exposed
   where
     width = pictureWidth (scenePicture scene)
-    tracking = withProgress (runProgress how) rows (width * sceneSamples scene * (1 + length others))
+    tracking = withProgress (progressMode (runReporting how)) rows (width * sceneSamples scene * (1 + length others))
     rowsOf count part = floor (part * fromIntegral count + 1e-6 :: Double)
     -- Enough to keep all workers busy, and at most some thirty bands.
     bandRows = max (4 * workersCount crew) ((rows + 31) `quot` 32)
@@ -277,12 +354,12 @@ timed work = do
   end <- getMonotonicTime
   pure (result, end - start)
 
--- | The format that a file's name asks for; standard output gets a PNG.
+-- | The format for a file's name; PNG for standard output.
 outputFormat :: FilePath -> Maybe Format
 outputFormat "-" = Just Png
 outputFormat name = formatOf name
 
--- | Why a picture can't be written there, as far as that is known beforehand.
+-- | Why a picture cannot be written to a file, as far as that is known in advance.
 outputFault :: FilePath -> IO (Maybe String)
 outputFault "-" = do
   closed <- outputIsClosed
@@ -290,16 +367,16 @@ outputFault "-" = do
   pure $
     if closed
       then Just "standard output is closed"
-      else if terminal then Just "standard output is a terminal; send it to a file or a program" else Nothing
+      else if terminal then Just "standard output is a terminal; redirect it to a file or a program" else Nothing
 outputFault name = either (Just . renderWriteProblem) (const Nothing) <$> checkWritable name
 
--- | Run an action with as many workers as were asked for.
+-- | Run an action with the given number of workers, or one per core.
 inCrew :: Maybe Int -> (Workers -> IO a) -> IO a
 inCrew threads action = do
   crew <- maybe defaultWorkers pure (workers =<< threads)
   withWorkers crew (action crew)
 
--- | Write the file that @--output@ names.
+-- | Write a file or, for @-@, to standard output.
 store :: FilePath -> Lazy.ByteString -> IO ExitStatus
 store output bytes = storeBy output (`Lazy.hPut` bytes)
 
@@ -317,49 +394,94 @@ unknownExtensionOf :: FilePath -> Problem
 unknownExtensionOf output =
   Problem "--output" ("'" ++ output ++ "'") ("a file name that ends in " ++ intercalate ", " (map fst formatExtensions))
 
-codingProblems :: Format -> Coding -> [Problem]
-codingProblems format coding = [Problem option value range | (option, value, range) <- codingProblem format coding]
-
 noRoom :: FilePath -> String
-noRoom output = "--output: " ++ output ++ ": this format has no room for so large a picture"
+noRoom output = "--output: " ++ output ++ ": the picture is too large for this format"
 
--- | The picture that tiles make together.
+-- | @blackhole join@.
 join :: JoinOptions -> IO ExitStatus
 join options = case (formatOf output, joinCoding options) of
   (Nothing, _) -> complainAll UsageError [unknownExtensionOf output]
   (Just format, coding)
-    | problems@(_ : _) <- codingProblems format coding -> complainAll UsageError problems
+    | problems@(_ : _) <- codingProblem format coding ++ checkThreads (joinThreads options) -> complainAll UsageError problems
     | otherwise -> do
+      start <- getMonotonicTime
       joined <- openTiles (joinTiles options)
       case joined of
         Left problems -> BadInput <$ mapM_ (complain BadInput) problems
-        Right (scene, tiles) -> inCrew (joinThreads options) $ \crew ->
-          maybe (complain CannotWrite (noRoom output)) (storeBy output) $
-            finishBands crew programName format coding (scene :| []) (readPictureRows tiles) (countsOf scene tiles)
+        Right (scene, tiles) -> writing format scene tiles . inCrew (joinThreads options) $ \crew -> do
+          let Picture width height = scenePicture scene
+          status <- withProgress (progressMode reported) height (width * sceneSamples scene) $ \report ->
+            let rowsOf (first, count) = report first >> readPictureRows tiles (first, count)
+             in maybe (complain CannotWrite (noRoom output)) (storeBy output) $
+                  finishBands crew programName format coding (scene :| []) rowsOf (countsOf scene tiles)
+          if status == Done
+            then do
+              pictureSucceeded reported start output (width, height)
+              end <- getMonotonicTime
+              memory <- peakMemory
+              storeStats reported (joinStatsText versionLine scene (length tiles) crew (end - start) memory)
+            else pure status
   where
     output = joinOutput options
+    reported = joinReporting options
+    writing format scene tiles action = do
+      lacking <- memoryProblem (Making (Joined format) False False) scene (pictureHeight (scenePicture scene))
+      clashes <- overwritten [("a tile", tileFilePath tile) | tile <- tiles] (("--output", output) : [("--stats", file) | Just file <- [reportStats reported]])
+      outputProblem <- outputFault output
+      statsProblem <- maybe (pure (Right ())) checkWritable (reportStats reported)
+      case (clashes, lacking, outputProblem, statsProblem) of
+        (_ : _, _, _, _) -> UsageError <$ mapM_ say clashes
+        (_, Just line, _, _) -> complain BadInput line
+        (_, _, Just line, _) -> complain CannotWrite ("--output: " ++ line)
+        (_, _, _, Left problem) -> complain CannotWrite ("--stats: " ++ renderWriteProblem problem)
+        _ -> action
     countsOf scene tiles row = do
       counts <- readCountsRow tiles row
       pure (fromMaybe (Vector.replicate (pictureWidth (scenePicture scene)) (fromIntegral (sceneSamples scene))) counts)
 
--- | A film's frames, or what a folder of them lacks.
+-- | @blackhole animate@.
 animate :: AnimateOptions SceneOptions -> IO ExitStatus
-animate options = case (animateStatus options, formatOf (animateOutput options)) of
+animate options = case (animateStatus options, formatOf pattern') of
+  (Just _, _) | problems@(_ : _) <- idleBesideStatus options -> complainAll UsageError problems
   (Just folder, _) -> showStatus (animatePatience options) folder >>= either (complain BadInput) (\(ending, text) -> printed (endStatus ending) text)
-  (_, Nothing) -> complainAll UsageError [unknownExtensionOf (animateOutput options)]
+  (_, Nothing) -> complainAll UsageError [unknownExtensionOf pattern']
   (_, Just format)
-    | problems@(_ : _) <- codingProblems format coding -> complainAll UsageError problems
+    | problems@(_ : _) <- codingProblem format coding -> complainAll UsageError problems
     | otherwise -> do
       loaded <- loadFilm (animateScene options)
-      case loaded of
-        Left problems -> BadInput <$ mapM_ say problems
-        Right Nothing -> complain BadInput "a film needs a scene file with a section animation (see docs/animation.md)"
-        Right (Just film) -> underSky (filmScene film) $ \sky ->
-          endStatus <$> runFilm options say (skyFileImage <$> sky) (describe sky) (develop format) (adjustFilm options film)
+      case (loaded, animateOrbit options) of
+        (Left problems, _) -> BadInput <$ mapM_ say problems
+        (Right (Left _), Nothing) -> complain BadInput "animate needs a scene file with a section animation, or --orbit DEGREES (see: blackhole help animation)"
+        (Right (Left scene), Just _) -> checked format (adjustFilm options (stillFilm scene))
+        (Right (Right found), _) -> checked format (adjustFilm options found)
   where
+    pattern' = framePatternOf options
+    reported = animateReporting options
+    checked format film = do
+      clashes <- filmClashes film
+      lacking <- memoryProblem (Making (Frame format) (shutterOpen (filmShutter film) > 0) False) (filmScene film) (pictureHeight (scenePicture (filmScene film)))
+      case (clashes, lacking) of
+        (_ : _, _) -> UsageError <$ mapM_ say clashes
+        (_, Just line) -> complain BadInput line
+        _ -> shootFilm format film
+    -- Frames that exist are compared, the others cannot be a file that is read.
+    filmClashes film = case parseFrameName pattern' of
+      Left _ -> pure []
+      Right name -> do
+        let folder = takeDirectory (frameFile name 0)
+        names <- either (const [] :: IOException -> [FilePath]) id <$> try (listDirectory folder)
+        overwritten
+          (sceneInputs (animateScene options) (filmScene film))
+          ([("--video", file) | Just file <- [animateVideo options]] ++ [("--stats", file) | Just file <- [reportStats reported]] ++ [("--output", folder </> file) | file <- names, Just _ <- [frameNumber name file]])
     coding = animateCoding options
     describe sky = printScene ((programName ++ ", " ++ show coding) : skyLines sky)
     develop format crew = finishFilm crew programName format coding
+    shootFilm format film = underSky (filmScene film) $ \sky -> do
+      (ending, shot) <- runFilm options say (skyFileImage <$> sky) (describe sky) (develop format) (adjustFilm options film)
+      memory <- peakMemory
+      written <- maybe (pure Done) (\(crew, done) -> storeStats reported (renderedJson (filmStats versionLine memory crew done))) shot
+      pure (if ending == Complete then written else endStatus ending)
+    renderedJson = Builder.toLazyByteString . Builder.stringUtf8 . renderJson
     endStatus ending = case ending of
       Complete -> Done
       Incomplete -> Unfinished
@@ -367,39 +489,73 @@ animate options = case (animateStatus options, formatOf (animateOutput options))
       WrongFilm -> BadInput
       CannotStart -> CannotWrite
 
--- | Go on with the picture of a scene's sky, if it has one.
+-- | The options of @blackhole animate@ that have no effect with @--status@: all except
+-- @--stale-after@ and @--quiet@.
+idleBesideStatus :: AnimateOptions SceneOptions -> [Problem]
+idleBesideStatus options =
+  [ Mistake option "has no effect with --status"
+    | (option, True) <-
+        [ ("SCENE.yaml", isJust (sceneFile scene)),
+          ("--preset", isJust (scenePreset scene)),
+          ("--output", isJust (animateOutput options)),
+          ("--bits", isJust (codingBits (animateCoding options))),
+          ("--quality", isJust (codingQuality (animateCoding options))),
+          ("--orbit", isJust (animateOrbit options)),
+          ("--frame-range", isJust (animateFrames options)),
+          ("--fps", isJust (animateRate options)),
+          ("--duration", isJust (animateDuration options)),
+          ("--shutter", isJust (animateShutter options)),
+          ("--shutter-samples", isJust (animateShutterSamples options)),
+          ("--shard", isJust (animateShard options)),
+          ("--video", isJust (animateVideo options)),
+          ("--codec", isJust (animateCodec options)),
+          ("--crf", isJust (animateCrf options)),
+          ("--threads", isJust (animateThreads options)),
+          ("--progress", isJust (reportProgress (animateReporting options))),
+          ("--stats", isJust (reportStats (animateReporting options)))
+        ]
+          ++ [(maybe (settingPath s) fieldLabel (findField (settingPath s)), True) | s <- sceneGiven scene]
+  ]
+  where
+    scene = animateScene options
+
+-- | The files that a scene is read from, with what messages call them.
+sceneInputs :: SceneOptions -> Scene -> [(String, FilePath)]
+sceneInputs options scene = [("the scene", file) | Just file <- [sceneFile options]] ++ [("the sky", file) | Just file <- [neededPicture scene]]
+
+-- | Continue with the environment map of a scene, if it has one.
 underSky :: Scene -> (Maybe SkyFile -> IO ExitStatus) -> IO ExitStatus
 underSky scene action = loadSky scene >>= either (complain BadInput) action
 
--- | The scene that is asked for, or several whose mean light it is, and how its file
--- is to be coded: as the options
--- say, or else as the picture was that the scene is taken from.
+-- | The scene that the options ask for, or the scenes of the moments of a picture with
+-- motion blur; and the encoding of the file: that of the options, or else that of the
+-- picture that the scene comes from.
 renderedScene :: RenderOptions -> IO (Either [String] (NonEmpty Scene, Coding))
 renderedScene options = case renderFrom options of
   Nothing -> fmap (coded asked . (:| [])) <$> loadScene (renderScene options)
   Just path -> do
-    -- The label comes before the pixels.
+    -- The label stands before the pixels.
     outcome <- try (withBinaryFile path ReadMode (`Bytes.hGet` 0x400000))
     case outcome of
-      Left failure -> pure (Left [path ++ ": can't be read: " ++ ioeGetErrorString (failure :: IOException)])
+      Left failure -> pure (Left [path ++ ": cannot be read: " ++ ioeGetErrorString (failure :: IOException)])
       Right bytes -> case fileLabel bytes of
-        Nothing -> pure (Left [path ++ ": this is no picture that blackhole made: it does not say of which scene"])
+        Nothing -> pure (Left [path ++ ": this picture has no scene; only pictures that blackhole wrote do"])
         Just label -> do
           when (labelSoftware label /= programName) $
-            say ("note: " ++ path ++ " was made by " ++ labelSoftware label ++ "; " ++ programName ++ " may make other bytes")
+            say ("note: " ++ path ++ " was made by " ++ labelSoftware label ++ "; " ++ programName ++ " may render it differently")
           pure (fromLabel path label)
   where
     asked = renderCoding options
     coded coding scene = (scene, coding)
     fromLabel path label = do
       scenes' <- resolveLabel (renderScene options) path (labelScene label)
-      -- Another format has other bits.
+      -- Bits and quality are specific to the format.
       let before
-            | formatOf path == formatOf (renderOutput options) = labelCoding label
+            | formatOf path == formatOf (renderTarget options) = labelCoding label
             | otherwise = defaultCoding
       pure (coded (Coding (codingBits asked <|> codingBits before) (codingQuality asked <|> codingQuality before)) scenes')
 
--- | The picture as text on standard output.
+-- | Draw the picture as text on standard output.
 preview :: Maybe SkyImage -> Scene -> Workers -> IO ExitStatus
 preview sky scene crew = do
   isTerminal <- hIsTerminalDevice stdout
@@ -418,11 +574,10 @@ preview sky scene crew = do
       printed Done (previewText (palette isTerminal environment) codes)
 
 untraceable :: IO ExitStatus
-untraceable = complain InternalFault "the scene passed its checks but can't be traced"
+untraceable = complain InternalFault "the scene is valid but cannot be traced"
 
--- | Warn of pixels without light that could be shown, in a film whose first row is
--- this one of the picture.
--- Their number and the first one's column and row in the picture.
+-- | Warn of pixels without finite radiance in a film whose first row is this row of the
+-- picture. Returns their number, and the column and row of the first one in the picture.
 warnOfFaults :: Workers -> Int -> Film -> IO (Int, Maybe (Int, Int))
 warnOfFaults crew first film = faultyPixels crew film >>= warn
   where
@@ -431,7 +586,7 @@ warnOfFaults crew first film = faultyPixels crew film >>= warn
       pure (n, Just (x, first + y))
     warn _ = pure (0, Nothing)
 
--- | Something about scenes, on standard output.
+-- | @blackhole scene@.
 scenes :: SceneCommand -> IO ExitStatus
 scenes task = do
   outcome <- sceneText task
@@ -442,9 +597,9 @@ scenes task = do
     status (ShowScene _) = UsageError
     status _ = BadInput
 
--- | One pixel explained instead.
+-- | Explain one pixel on standard output.
 explain :: Scene -> (Int, Int) -> Maybe SkyImage -> IO ExitStatus
-explain scene (x, y) sky = case explainPixelUnder sky scene x y of
+explain scene (x, y) sky = case tracerUnder sky scene >>= \traced -> explainPixel traced x y of
   Just explanation -> printed Done (unlines (explanationLines scene explanation))
   Nothing -> untraceable
 

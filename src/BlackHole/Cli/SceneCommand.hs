@@ -1,7 +1,7 @@
--- | @blackhole scene@: what scenes there are, and what is in them.
+-- | @blackhole scene@: lists, prints and checks scenes.
 module BlackHole.Cli.SceneCommand
   ( SceneCommand (..),
-    sceneCommand,
+    sceneCommands,
     sceneText,
   )
 where
@@ -9,6 +9,7 @@ where
 import BlackHole.Animation.Film (filmFrames)
 import BlackHole.Cli.FilmScene
 import BlackHole.Cli.Json (renderJson)
+import BlackHole.Cli.Read (filesEnding)
 import BlackHole.Cli.SceneOptions
 import BlackHole.Cli.Schema (sceneSchema)
 import BlackHole.Cli.SkyFile (skyFault)
@@ -18,13 +19,13 @@ import BlackHole.Scene.Problem
 import Data.List (intercalate)
 import Options.Applicative
 
--- | What is to be done.
+-- | What to do.
 data SceneCommand
-  = -- | Name the presets.
+  = -- | List the presets.
     ListScenes
   | -- | Print a preset.
     ShowScene !String
-  | -- | Say whether a scene file is right.
+  | -- | Check a scene file.
     CheckScene !FilePath
   | -- | Print the scene that a file and options make.
     PrintScene !SceneOptions
@@ -32,32 +33,55 @@ data SceneCommand
     SceneSchema
   deriving (Eq, Show)
 
--- | The grammar of the commands.
-sceneCommand :: Parser SceneCommand
-sceneCommand =
-  hsubparser $
-    command "list" (info (pure ListScenes) (progDesc "Name the presets and what they are"))
-      <> command "show" (info (ShowScene <$> strArgument (metavar "NAME")) (progDesc "Print a preset as a commented scene file"))
-      <> command "check" (info (CheckScene <$> strArgument (metavar "SCENE.yaml")) (progDesc "Say everything that is wrong with a scene file"))
-      <> command "print" (info (PrintScene <$> sceneOptions) (progDesc "Print the whole scene that a file and the options of render make; it renders to the same bytes"))
-      <> command "schema" (info (pure SceneSchema) (progDesc "Print the JSON Schema of scene files, for editors"))
+-- | The commands inside @blackhole scene@: name, summary, details, examples, parser.
+sceneCommands :: [(String, String, String, [String], Parser SceneCommand)]
+sceneCommands =
+  [ ("list", "List the presets.", "", ["blackhole scene list"], pure ListScenes),
+    ( "show",
+      "Print a preset as a scene file with comments.",
+      "",
+      ["blackhole scene show report > mine.yaml"],
+      ShowScene <$> strArgument (metavar "NAME" <> completeWith presetNames <> help ("Preset: " ++ intercalate ", " presetNames))
+    ),
+    ( "check",
+      "Report every mistake in a scene file.",
+      "Each mistake is one line with the file, the line number, the setting, its value and the allowed range. The exit code is 3 if there are any.",
+      ["blackhole scene check mine.yaml"],
+      CheckScene <$> strArgument (metavar "SCENE.yaml" <> filesEnding [".yaml", ".yml"] <> help "Scene file")
+    ),
+    ( "print",
+      "Print the complete scene that a file and options make.",
+      "The printed scene has every setting and renders to the same bytes.",
+      ["blackhole scene print --preset luminet --fov 30 > luminet.yaml"],
+      PrintScene <$> sceneOptions
+    ),
+    ( "schema",
+      "Print the JSON Schema of scene files, for editors.",
+      "",
+      ["blackhole scene schema > scene.schema.json"],
+      pure SceneSchema
+    )
+  ]
 
--- | What a command prints, or a line for everything that is wrong.
+-- | The output of a command, or one line for each mistake.
 sceneText :: SceneCommand -> IO (Either [String] String)
 sceneText task = case task of
   ListScenes -> pure (Right (unlines [presetName p ++ replicate (14 - length (presetName p)) ' ' ++ presetShows p | p <- describedPresets]))
   ShowScene name -> pure $ case [p | p <- describedPresets, presetName p == name] of
     p : _ -> Right (printScene ["The preset " ++ name ++ ": " ++ presetShows p ++ "."] (presetScene p))
-    [] -> Left [renderProblem (Problem "scene show" ("'" ++ name ++ "'") ("a preset" ++ suggestion name presetNames ++ "; there are: " ++ intercalate ", " presetNames))]
+    [] -> Left [renderProblem (Problem "scene show" ("'" ++ name ++ "'") ("a preset" ++ suggestion name presetNames ++ "; the presets are: " ++ intercalate ", " presetNames))]
   CheckScene file -> do
-    film <- loadFilm options
-    still <- loadScene options
-    picture <- either (const (pure Nothing)) skyFault still
-    pure $ case (film, picture) of
-      (Right (Just ready), _) | faults@(_ : _) <- frameFaults ready [0 .. filmFrames ready - 1] -> Left (take maximumFaults faults)
-      (Right _, Just line) -> Left [line]
-      _ -> (file ++ ": no problems\n") <$ film
-    where
-      options = SceneOptions (Just file) Nothing []
-  PrintScene options -> fmap (printScene ["A whole scene, with every setting."]) <$> loadScene options
+    bytes <- readSceneFile file
+    either (pure . Left . pure) (checked file) bytes
+  PrintScene options -> fmap (printScene ["A complete scene, with every setting."]) <$> loadScene options
   SceneSchema -> pure (Right (renderJson sceneSchema))
+  where
+    checked file bytes = do
+      warnFormerNames options bytes
+      picture <- either (const (pure Nothing)) skyFault (resolveScene options (Just bytes))
+      pure $ case (resolveFilm options (Just bytes), picture) of
+        (Right (Just ready), _) | faults@(_ : _) <- frameFaults ready [0 .. filmFrames ready - 1] -> Left (take maximumFaults faults)
+        (Right _, Just line) -> Left [line]
+        (film, _) -> (file ++ ": no problems\n") <$ film
+      where
+        options = SceneOptions (Just file) Nothing []

@@ -1,4 +1,4 @@
--- | The options that make a scene, from the table of its fields, and the scene
+-- | The options that determine a scene, made from the table of settings, and the scene
 -- that they make.
 module BlackHole.Cli.SceneOptions
   ( SceneOptions (..),
@@ -7,9 +7,11 @@ module BlackHole.Cli.SceneOptions
     resolveLabel,
     loadScene,
     readSceneFile,
+    warnFormerNames,
   )
 where
 
+import BlackHole.Cli.Console (say)
 import BlackHole.Cli.Read
 import BlackHole.Image.Moments (splitMoments)
 import BlackHole.Scene.Field.Field
@@ -31,21 +33,21 @@ import System.FilePath (takeDirectory)
 import System.IO (IOMode (ReadMode), withBinaryFile)
 import System.IO.Error (ioeGetErrorString)
 
--- | What a scene is made of.
+-- | What makes a scene.
 data SceneOptions = SceneOptions
   { sceneFile :: !(Maybe FilePath),
     scenePreset :: !(Maybe String),
-    -- | The options that were given, in the order of the table, each once.
+    -- | The settings of the given options, in the order of the table, each once.
     sceneGiven :: ![Setting]
   }
   deriving (Eq, Show)
 
--- | A scene file, if there is to be one, and the options of all fields.
+-- | An optional scene file, @--preset@, and the options of all settings.
 sceneOptions :: Parser SceneOptions
 sceneOptions =
   SceneOptions
-    <$> optional (strArgument (metavar "SCENE.yaml" <> action "file" <> help "Scene file to start from; the options count more than it does"))
-    <*> setting (strOption (long "preset" <> metavar "NAME" <> completeWith presetNames <> help ("Scene to start from: " ++ intercalate ", " presetNames ++ " (default: default)")))
+    <$> optional (strArgument (metavar "SCENE.yaml" <> filesEnding [".yaml", ".yml"] <> help "Scene file; options override its settings"))
+    <*> setting (strOption (long "preset" <> metavar "NAME" <> completeWith presetNames <> help ("Preset to start from, also instead of the scene file's: " ++ intercalate ", " presetNames ++ " (default: default)")))
     <*> (catMaybes <$> traverse fieldSetting sceneFields)
 
 fieldSetting :: Field -> Parser (Maybe Setting)
@@ -54,27 +56,31 @@ fieldSetting field = fmap (Setting (fieldPath field)) <$> given
     given = case fieldOption field of
       Nothing -> pure Nothing
       Just (Takes name placeholder) ->
-        setting (option (valueOf (fieldKind field)) (long name <> metavar placeholder <> completeWith (valueNames (fieldKind field)) <> help (fieldDoc field)))
+        setting (option (valueOf (fieldKind field)) (long name <> metavar placeholder <> valueCompletion (fieldKind field) <> help (fieldDoc field)))
       Just (Sets name v text) ->
         (\on -> if on then Just v else Nothing) <$> toggle (long name <> help text)
 
--- | The values of a kind that has few, for completion.
-valueNames :: Kind -> [String]
-valueNames kind = case kind of
-  ChoiceKind _ choices -> map fst choices
-  ChoiceOrFileKind _ choices _ -> map fst choices
-  SwitchKind -> ["on", "off"]
-  _ -> []
+-- Completion of values that are names or files.
+valueCompletion :: HasCompleter f => Kind -> Mod f a
+valueCompletion kind = case kind of
+  ChoiceKind _ choices -> completeWith (map fst choices)
+  ChoiceOrFileKind _ choices _ -> completeWith (map fst choices) <> action "file"
+  SwitchKind -> completeWith ["on", "off"]
+  _ -> mempty
 
 valueOf :: Kind -> ReadM Value
 valueOf kind = eitherReader $ \s ->
   either (\expected -> Left ("'" ++ s ++ "' is not " ++ expected)) Right (readValue kind s)
 
--- | The scene that the options ask for, given the bytes of its file, checked;
--- or a line for everything that is wrong with it (at least one).
+-- | The scene that the options ask for, given the bytes of the scene file, validated;
+-- or one line for each mistake (at least one).
 resolveScene :: SceneOptions -> Maybe Bytes.ByteString -> Either [String] Scene
-resolveScene (SceneOptions file preset settings) bytes =
-  resolveRequest (Request preset ((,) <$> file <*> bytes) (maybe "." takeDirectory file) settings)
+resolveScene options bytes =
+  resolveRequest (sceneRequest options bytes)
+
+sceneRequest :: SceneOptions -> Maybe Bytes.ByteString -> Request
+sceneRequest (SceneOptions file preset settings) bytes =
+  Request preset ((,) <$> file <*> bytes) (maybe "." takeDirectory file) settings
 
 -- | The scenes whose mean light a picture is, given the picture's name and the
 -- scenes' text in its label ('splitMoments'). Files that they name are relative to
@@ -88,17 +94,25 @@ resolveLabel (SceneOptions _ preset settings) picture bytes = do
     then Right scenes
     else Left [picture ++ ": the scenes of its motion blur differ in picture size or environment map"]
 
--- | The scene that the options ask for, like 'resolveScene', reading the file.
+-- | The scene that the options ask for, like 'resolveScene', reading the file. Warns of
+-- former names on standard error.
 loadScene :: SceneOptions -> IO (Either [String] Scene)
 loadScene options = do
   bytes <- traverse readSceneFile (sceneFile options)
+  mapM_ (mapM_ (warnFormerNames options)) bytes
   pure (either (Left . pure) (resolveScene options) (sequence bytes))
 
--- | A scene file's bytes, or one line that says why it can't be read. A file
--- that is far too long is not read to its end.
+-- | Write a warning on standard error for each former name of a setting in a scene file
+-- with these bytes.
+warnFormerNames :: SceneOptions -> Bytes.ByteString -> IO ()
+warnFormerNames options bytes =
+  mapM_ say (requestWarnings (sceneRequest options (Just bytes)))
+
+-- | A scene file's bytes, or one line that says why it cannot be read. Stops reading
+-- when the file exceeds the limit for scene files.
 readSceneFile :: FilePath -> IO (Either String Bytes.ByteString)
 readSceneFile file = do
   outcome <- try (withBinaryFile file ReadMode (`Bytes.hGet` (maximumYamlBytes + 1)))
   pure $ case outcome of
-    Left failure -> Left (file ++ ": can't be read: " ++ ioeGetErrorString (failure :: IOException))
+    Left failure -> Left (file ++ ": cannot be read: " ++ ioeGetErrorString (failure :: IOException))
     Right bytes -> Right bytes

@@ -1,5 +1,5 @@
--- | The JSON Schema of scene files, from the table of fields and that of the
--- section on films.
+-- | The JSON Schema of scene files, from the tables of settings and of the section
+-- @animation@.
 module BlackHole.Cli.Schema
   ( sceneSchema,
   )
@@ -14,22 +14,22 @@ import BlackHole.Scene.Field.Table
 import BlackHole.Scene.Preset (presetNames)
 import Data.List (nub)
 
--- | JSON Schema, draft 7, which is what editors understand.
+-- | The schema in draft 7, which most editors support. It has no former names.
 sceneSchema :: Json
 sceneSchema =
   Object $
     [ ("$schema", Text "http://json-schema.org/draft-07/schema#"),
-      ("title", Text "A scene of blackhole")
+      ("title", Text "blackhole scene file")
     ]
       ++ group [("preset", presetSchema), (animationKey, animationSchema)] [(splitOn '.' (fieldPath f), f) | f <- sceneFields]
   where
     presetSchema =
       Object
-        [ ("description", Text "Scene to start from"),
+        [ ("description", Text "Preset to start from"),
           ("enum", List (map Text presetNames))
         ]
 
--- Fields by what is left of their paths.
+-- Settings by the rest of their paths.
 group :: [(String, Json)] -> [([String], Field)] -> [(String, Json)]
 group first fields =
   [ ("type", Text "object"),
@@ -45,11 +45,11 @@ group first fields =
 fieldSchema :: Field -> Json
 fieldSchema f = valueSchema (fieldDoc f) (fieldKind f)
 
--- The section that makes a film of a scene.
+-- The section @animation@.
 animationSchema :: Json
 animationSchema =
   Object
-    [ ("description", Text "What changes from frame to frame, for blackhole animate"),
+    [ ("description", Text "Film for blackhole animate: what changes from frame to frame"),
       ("type", Text "object"),
       ("additionalProperties", Truth False),
       ("properties", Object (map entry filmEntries ++ [("camera-path", pathSchema), ("keyframes", keyframesSchema)]))
@@ -58,7 +58,7 @@ animationSchema =
     entry e = (entryName e, valueSchema (entryDoc e) (entryKind e))
     pathSchema =
       Object
-        [ ("description", Text "How the camera moves, from wherever the scene and the keyframes have put it"),
+        [ ("description", Text "Movement of the camera, starting from where the scene and the keyframes put it"),
           ("oneOf", List (map pathKindSchema pathKinds))
         ]
     pathKindSchema (kind, doc, names) =
@@ -71,7 +71,7 @@ animationSchema =
         ]
     keyframesSchema =
       Object
-        [ ("description", Text "Fields with their values at times in seconds"),
+        [ ("description", Text "Settings with their values at times in seconds"),
           ("type", Text "object"),
           ("additionalProperties", Truth False),
           ("properties", Object [(fieldPath f, trackSchema f) | f <- sceneFields, isTrackable f])
@@ -94,7 +94,7 @@ valueSchema doc kind = Object (("description", Text doc) : ofKind)
       SeedKind -> [("type", Text "integer"), ("minimum", Whole 0), ("exclusiveMaximum", Number 18446744073709551616)]
       SwitchKind -> [("enum", List ([Truth True, Truth False] ++ map Text ["on", "off", "yes", "no"]))]
       ChoiceKind _ choices -> [("enum", List (map (Text . fst) choices))]
-      -- A word of its own or anything with a point or a stroke in it.
+      -- Names of files are told from choices by a period or slash.
       ChoiceOrFileKind _ choices _ -> [("anyOf", List [Object [("enum", List (map (Text . fst) choices))], Object [("type", Text "string"), ("pattern", Text "[./]"), ("maxLength", Whole 1024)]])]
       VectorKind -> [("type", Text "array"), ("items", Object [("type", Text "number")]), ("minItems", Whole 3), ("maxItems", Whole 3)]
     least end = case end of

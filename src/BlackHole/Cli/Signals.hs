@@ -74,6 +74,6 @@ stoppable atOnce action = do
 ignored :: Signal -> IO Bool
 ignored signal = do
   status <- try (readFile "/proc/self/status" >>= \text -> text <$ evaluate (length text)) :: IO (Either IOException String)
-  pure $ case [mask | Right text <- [status], ["SigIgn:", digits] <- map words (lines text), (mask, "") <- readHex digits] of
-    mask : _ -> testBit (mask :: Integer) (fromIntegral signal - 1)
+  pure $ case [bits | Right text <- [status], ["SigIgn:", digits] <- map words (lines text), (bits, "") <- readHex digits] of
+    bits : _ -> testBit (bits :: Integer) (fromIntegral signal - 1)
     [] -> False

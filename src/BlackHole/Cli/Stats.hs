@@ -1,7 +1,8 @@
--- | What a rendering took, for @--stats@.
+-- | Statistics of a rendering, for @--stats@.
 module BlackHole.Cli.Stats
   ( Stats (..),
     statsText,
+    joinStatsText,
   )
 where
 
@@ -22,33 +23,33 @@ import Numeric (showHex)
 data Stats = Stats
   { statsVersion :: !String,
     statsScene :: !Scene,
-    -- | The picture of the sky, if the scene's is a panorama.
+    -- | The environment map, if the scene has one.
     statsSky :: !(Maybe SkyImage),
     statsWorkers :: !Workers,
     -- | The first row and the number of rows.
     statsRows :: !(Int, Int),
-    -- | Seconds from the beginning of tracing to its end.
+    -- | Seconds of tracing.
     statsTrace :: !Double,
-    -- | Seconds for bloom, development, coding and writing, which run into each
-    -- other: a file is written while its rows are coded.
+    -- | Seconds of bloom, development, encoding and writing, which overlap: a file
+    -- is written while its rows are encoded.
     statsFinish :: !Double,
-    -- | Bytes, where the system tells them.
+    -- | In bytes, if the system reports it.
     statsPeakMemory :: !(Maybe Integer),
     -- | Pixels without finite radiance, and the first of them.
     statsFaults :: !(Int, Maybe (Int, Int))
   }
 
--- | One JSON object. What the tracer does not count while it renders is estimated
--- from a thousand lines of sight ('census'), in an object @estimates@ of its own,
--- each number with its standard error. The hash is SHA-256 of the whole scene as the
--- program prints it.
+-- | The statistics as one JSON object. The object @estimates@ has the numbers that the
+-- tracer does not count, estimated from a thousand lines of sight ('census'), with
+-- their standard errors. The hash is the SHA-256 of the complete scene as
+-- 'printScene' prints it.
 statsText :: Stats -> Lazy.ByteString
 statsText s =
   Builder.toLazyByteString . Builder.stringUtf8 . renderJson $
     Object
       [ ("version", Text (statsVersion s)),
         ("scene_sha256", Text (hash (printScene [] scene))),
-        -- As text: readers of JSON may not hold 64 bits.
+        -- As text, because many readers of JSON cannot represent 64 bits.
         ("seed", Text (show (sceneSeed scene))),
         ("width", Whole width),
         ("height", Whole height),
@@ -83,8 +84,7 @@ statsText s =
         [ ("against", Text "closed form of the orbit"),
           ("lines_of_sight", Whole (censusLines c)),
           ("greatest_direction_error_radians", Number (censusDirectionError c)),
-          ("other_fates", Whole (censusOtherFates c)),
-          ("documentation", Text "docs/validation.md")
+          ("other_fates", Whole (censusOtherFates c))
         ]
     scene = statsScene s
     Picture width height = scenePicture scene
@@ -92,3 +92,21 @@ statsText s =
     pixels = fromIntegral (width * rows) :: Double
     hash text = concatMap twoDigits (Bytes.unpack (SHA256.hashlazy (Builder.toLazyByteString (Builder.stringUtf8 text))))
     twoDigits b = (if b < 16 then "0" else "") ++ showHex b ""
+
+-- | The statistics of @blackhole join@ as one JSON object, given the program's version,
+-- the scene, the number of tiles, the workers, the seconds, and the peak of the memory in
+-- bytes.
+joinStatsText :: String -> Scene -> Int -> Workers -> Double -> Maybe Integer -> Lazy.ByteString
+joinStatsText version scene tiles crew seconds memory =
+  Builder.toLazyByteString . Builder.stringUtf8 . renderJson $
+    Object
+      [ ("version", Text version),
+        ("width", Whole width),
+        ("height", Whole height),
+        ("tiles", Whole tiles),
+        ("workers", Whole (workersCount crew)),
+        ("seconds", Number seconds),
+        ("peak_memory_bytes", maybe Null (Whole . fromInteger) memory)
+      ]
+  where
+    Picture width height = scenePicture scene

@@ -1,17 +1,17 @@
 -- | Files that appear only when they are complete.
 --
--- The bytes go to a temporary file in the target's folder, which is then
--- renamed to the target. Whoever looks at the target sees the former file or
--- the whole new one, also when the program is interrupted or the disk is full.
--- Only a program that is killed outright while it writes leaves its temporary
--- file behind, named @.blackhole-….part@, until the next run that writes to the
--- folder ('checkWritable'). (The bytes are not forced out of the
--- system's cache: a picture lost in a power cut can be rendered again, and
--- waiting for the disk would take a library for each platform.)
+-- The bytes go to a temporary file in the target's folder, which is then renamed to the
+-- target. A reader of the target sees either the former file or the complete new one,
+-- even if the program is interrupted or the disk is full. Only a program that is killed
+-- while it writes leaves its temporary file behind, named @.blackhole-….part@, until
+-- the next run that writes to the folder ('checkWritable'). The bytes are not forced
+-- out of the system's cache: a picture lost in a power cut can be rendered again, and
+-- waiting for the disk would require a library for each platform.
 module BlackHole.Image.AtomicFile
   ( writeFileAtomically,
     writeAtomically,
     checkWritable,
+    finalTarget,
     WriteProblem (..),
     renderWriteProblem,
     printable,
@@ -48,9 +48,9 @@ import System.IO.Error (isDoesNotExistError)
 import System.Posix.Files (getFileStatus, isNamedPipe)
 import System.Posix.Internals (c_open, fileType, o_NONBLOCK, o_WRONLY)
 
--- | Why a file can't be written. The first path is the one that was asked for.
+-- | The reason why a file cannot be written. The first path is the requested one.
 data WriteProblem
-  = -- | The path has no characters.
+  = -- | The path is empty.
     EmptyPath
   | -- | The path names a folder.
     TargetIsFolder FilePath
@@ -58,15 +58,15 @@ data WriteProblem
     TargetIsProtected FilePath
   | -- | The file's folder, the second path, does not exist.
     FolderMissing FilePath FilePath
-  | -- | No file can be made in the folder, the second path, for the reason that
-    -- the system gives.
+  | -- | No file can be created in the folder, which is the second path, for the reason
+    -- given by the system.
     FolderNotWritable FilePath FilePath String
-  | -- | Anything else, with the reason that the system gives: disk full, name
-    -- too long, …
+  | -- | Any other problem, with the reason given by the system: disk full, name too
+    -- long, …
     SystemRefused FilePath String
   deriving (Eq, Show)
 
--- | The problem in one line, without a final period.
+-- | The problem as one line without a final period.
 renderWriteProblem :: WriteProblem -> String
 renderWriteProblem problem = printable $ case problem of
   EmptyPath -> "cannot write a file with an empty name"
@@ -79,25 +79,25 @@ renderWriteProblem problem = printable $ case problem of
   where
     cannot path reason = "cannot write " ++ path ++ ": " ++ reason
 
--- | A text that may hold names from elsewhere as a single line: control characters,
--- newlines among them, become question marks.
+-- | A text that may contain names of foreign origin, as a single line: control
+-- characters, including newlines, become question marks.
 printable :: String -> String
 printable = map (\c -> if isControl c then '?' else c)
 
--- | Write a file as a whole or not at all.
+-- | Writes a file completely or not at all.
 --
--- An existing file is replaced and its permissions are kept; a new one gets
--- those that the user's file mask grants. Through a symbolic link, the file it
--- leads to is replaced or made, and the link stays. Devices, pipes and
--- @\/dev\/stdout@ can't be replaced: the bytes are written to them directly.
+-- An existing file is replaced and keeps its permissions; a new file gets those of the
+-- user's file mask. A symbolic link stays, and the file to which it leads is replaced
+-- or created. Devices, pipes and @\/dev\/stdout@ cannot be replaced, so the bytes are
+-- written to them directly.
 --
--- Problems of the file system are returned, the target then being what it was.
--- Any other exception, be it from the evaluation of the bytes or thrown to this
--- thread, removes the temporary file and is rethrown.
+-- Problems of the file system are returned, and the target is then unchanged. Any other
+-- exception, whether from evaluating the bytes or thrown to this thread, removes the
+-- temporary file and is rethrown.
 writeFileAtomically :: FilePath -> Lazy.ByteString -> IO (Either WriteProblem ())
 writeFileAtomically path bytes = writeAtomically path (`Lazy.hPut` bytes)
 
--- | The same for an action that writes to a handle.
+-- | 'writeFileAtomically' for an action that writes to a handle.
 writeAtomically :: FilePath -> (Handle -> IO ()) -> IO (Either WriteProblem ())
 writeAtomically path content = locate path >>= either (pure . Left) write
   where
@@ -111,17 +111,17 @@ writeAtomically path content = locate path >>= either (pure . Left) write
       replace `onException` discard temporary handle
       where
         replace = do
-          -- Before the first byte, for a private file's sake. Some file systems
+          -- Set before the first byte, to protect a private file. Some file systems
           -- have no permissions to set, which is no reason to lose a picture.
           ignoringRefusal $ copyPermissions target temporary
           restore (content handle)
           hClose handle
           renameFile temporary target
 
--- | Find out whether 'writeFileAtomically' can make this file, as far as that
--- can be known beforehand (a disk may fill up later). Leaves no file behind and
--- does not touch an existing one, but removes the temporary files that killed
--- processes of this machine have left in the folder.
+-- | Checks whether 'writeFileAtomically' can write this file, as far as that can be
+-- known in advance (a disk may fill up later). Leaves no file behind and does not touch
+-- an existing one, but removes temporary files in the folder that belong to dead
+-- processes of this machine.
 checkWritable :: FilePath -> IO (Either WriteProblem ())
 checkWritable path = locate path >>= either (pure . Left) probe
   where
@@ -131,9 +131,9 @@ checkWritable path = locate path >>= either (pure . Left) probe
     probe (Replaced target) = do
       sweepPartFiles (takeDirectory target)
       mask_ $ openTemporary path target >>= traverse (uncurry discard)
-    -- A pipe cannot be opened for writing, except by waiting, until another program
-    -- reads from it. It stays open until the process ends: to close it would tell the
-    -- reader that nothing follows.
+    -- A pipe cannot be opened for writing without waiting until another program reads
+    -- from it. It stays open until the process ends, because closing it would signal
+    -- the reader that nothing follows.
     holdPipe device = do
       opened <- try (withCString device (\name -> throwErrnoIfMinus1Retry_ "open" (c_open name (o_WRONLY .|. o_NONBLOCK) 0)))
       pure $ case opened of
@@ -170,8 +170,16 @@ locate path
       pure $ if exists then Right destination else Left (FolderMissing path (takeDirectory target))
     new destination = pure (Right destination)
 
--- A process's own open files look like links to a regular file when the shell
--- has redirected them, but to replace that file would cut off the shell's end.
+-- | The target of a path after following symbolic links; the path itself if it is not a
+-- link, or if the links form a cycle.
+finalTarget :: FilePath -> IO FilePath
+finalTarget path = destination <$> followLinks path
+  where
+    destination (Right (Replaced target)) = target
+    destination _ = path
+
+-- If the shell has redirected them, a process's own open files look like links to a
+-- regular file, but replacing that file would disconnect the shell's end.
 followLinks :: FilePath -> IO (Either WriteProblem Destination)
 followLinks path = go (40 :: Int) path
   where

@@ -1,6 +1,6 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | The check sums of PNG and zlib files.
+-- | The checksums of PNG and zlib files.
 module BlackHole.Image.Checksum
   ( crc32,
     Adler32,
@@ -20,7 +20,7 @@ import Foreign.Storable (peekByteOff)
 import GHC.ByteOrder (ByteOrder (..), targetByteOrder)
 import System.IO.Unsafe (unsafeDupablePerformIO)
 
--- | The cyclic redundancy code of PNG (ISO/IEC 15948, annex D). 2 ns a byte.
+-- | The cyclic redundancy code of PNG (ISO/IEC 15948, annex D), at 2 ns per byte.
 crc32 :: ByteString -> Word32
 crc32 = xor 0xffffffff . Bytes.foldl' step 0xffffffff
   where
@@ -36,12 +36,12 @@ crcTable = U.generate 256 (\n -> iterate divide (fromIntegral n) !! 8)
       | otherwise = c `shiftR` 1
 {-# NOINLINE crcTable #-}
 
--- | The check sum of a zlib stream (RFC 1950). Sums of pieces combine with @<>@
--- to that of the whole, so that pieces may be summed at the same time; 'mempty'
--- is that of no bytes.
+-- | The checksum of a zlib stream (RFC 1950). @<>@ combines the sums of pieces into
+-- that of the whole, so pieces may be summed in parallel; 'mempty' is the sum of no
+-- bytes.
 data Adler32
-  = -- | The bytes' count, their sum plus one, and the sum of those sums, all
-    -- modulo 65521.
+  = -- | The number of bytes, their sum plus one, and the sum of those sums, all modulo
+    -- 65521.
     Adler32 !Word64 !Word64 !Word64
   deriving (Eq, Show)
 
@@ -50,13 +50,13 @@ instance Semigroup Adler32 where
     Adler32
       ((n + n') `rem` adlerBase)
       ((a + a' + adlerBase - 1) `rem` adlerBase)
-      -- The second piece's sums all began with the first's a instead of 1.
+      -- The sums of the second piece start from the first's a instead of 1.
       ((b + b' + n' * (a + adlerBase - 1)) `rem` adlerBase)
 
 instance Monoid Adler32 where
   mempty = Adler32 0 1 0
 
--- | Adler-32 of some bytes, eight at a time: 0.3 ns a byte.
+-- | The Adler-32 sum of bytes, eight at a time, at 0.3 ns per byte.
 adler32 :: ByteString -> Adler32
 adler32 bytes
   | Bytes.length bytes > longestPiece =
@@ -79,10 +79,10 @@ adler32 bytes
       | otherwise =
         let a' = a + fromIntegral (unsafeIndex bytes i) in singles (i + 1) a' (b + a')
     lanes = 0x00ff00ff00ff00ff
-    -- The sums of so many bytes fit into 64 bits without a remainder in between.
+    -- The sums of this many bytes fit into 64 bits without reduction.
     longestPiece = 0x1000000
 
--- | The check sum as it is written in a file.
+-- | The checksum as written in a file.
 adlerWord :: Adler32 -> Word32
 adlerWord (Adler32 _ a b) = fromIntegral (b `shiftL` 16 .|. a)
 

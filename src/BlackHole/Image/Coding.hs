@@ -12,7 +12,9 @@ module BlackHole.Image.Coding
   )
 where
 
+import BlackHole.Scene.Problem (Problem (..))
 import Data.Char (toLower)
+import Data.List (intercalate)
 import Data.Maybe (fromMaybe)
 import System.FilePath (takeExtension)
 
@@ -48,7 +50,7 @@ data Coding = Coding
   }
   deriving (Eq, Show)
 
--- | Nothing in particular.
+-- | The format's own defaults.
 defaultCoding :: Coding
 defaultCoding = Coding Nothing Nothing
 
@@ -61,18 +63,18 @@ formatBits format = case format of
   Hdr -> [8]
   Exr -> [16, 32]
 
--- | What is wrong with a coding for a format, if anything: the option, its
--- value, and what is allowed.
-codingProblem :: Format -> Coding -> [(String, String, String)]
+-- | The problems of an encoding for a format.
+codingProblem :: Format -> Coding -> [Problem]
 codingProblem format (Coding bits quality) =
-  [ ("--bits", show n, "a number of bits that this format has: " ++ unwords (map show (formatBits format)))
+  [ Problem "--bits" (show n) ("a number of bits that this format supports: " ++ intercalate " or " (map show (formatBits format)))
     | Just n <- [bits],
       n `notElem` formatBits format
   ]
-    ++ [ ("--quality", show n, "a quality from 1 to 100")
+    ++ [ Problem "--quality" (show n) "a whole number from 1 to 100"
          | Just n <- [quality],
            n < 1 || n > 100
        ]
+    ++ [Mistake "--quality" (show n ++ " has no effect; it applies only to JPEG files") | format /= Jpeg, Just n <- [quality]]
 
 -- | The bits per primary.
 codingBitsOf :: Format -> Coding -> Int

@@ -1,10 +1,11 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | Deflate and zlib streams (RFC 1951 and 1950), written for filtered pixels:
--- of all repetitions only runs of one byte are looked for, and the rest is left
--- to a Huffman code made for the data. What matches of any distance would save
--- beyond that is a few per cent of a rendered picture, at several times the
--- cost. The bytes depend on the data alone, not on a library's version.
+-- | Deflate and zlib streams (RFC 1951 and 1950) for filtered pixels.
+--
+-- The encoder looks only for runs of one byte and leaves the rest to a Huffman code
+-- made for the data. Matches at other distances would save a few per cent on a rendered
+-- picture at several times the cost. The output depends on the data alone, not on the
+-- version of a library.
 module BlackHole.Image.Deflate
   ( deflatePiece,
     zlibHeader,
@@ -35,13 +36,13 @@ import System.IO.Unsafe (unsafeDupablePerformIO)
 data Place = Inside | Last
   deriving (Eq, Show)
 
--- | One piece of a raw deflate stream: pieces of data made apart and put
--- together are one stream, because each but the last ends at a whole byte (with
--- an empty stored block). Pieces should have some hundred kilobytes: each
--- carries a code of its own of about 150 bytes.
+-- | One piece of a raw deflate stream. Pieces compressed independently and concatenated
+-- form one stream, because each but the last ends at a byte boundary (with an empty
+-- stored block). Pieces should have some hundred kilobytes, because each carries its
+-- own code of about 150 bytes.
 --
--- 3 to 5 ns a byte, less in runs. Total for any data; the output has at most
--- the input's size and 300 bytes.
+-- Takes 3 to 5 ns per byte, less in runs. Total for any data; the output is at most 300
+-- bytes longer than the input.
 deflatePiece :: Place -> ByteString -> ByteString
 deflatePiece place bytes =
   unsafeCreateUptoN (bitCount `quot` 8 + 16) (emit place bytes code)
@@ -51,32 +52,31 @@ deflatePiece place bytes =
     bitCount = headerBits + U.sum (U.zipWith (*) tokens (U.map (.&. 31) packed))
     headerBits = 3 + 14 + 3 * codeLengthCount + 7 * (literalCount + 1)
 
--- | The two bytes before a zlib stream.
+-- | The two bytes before the compressed data of a zlib stream.
 zlibHeader :: ByteString
 zlibHeader = Bytes.pack [0x78, 0x01]
 
--- | The four bytes after it.
+-- | The four bytes after the compressed data.
 zlibTrailer :: Adler32 -> ByteString
 zlibTrailer = Lazy.toStrict . Builder.toLazyByteString . Builder.word32BE . adlerWord
 
--- | All of a zlib stream in one piece.
+-- | A complete zlib stream in one piece.
 zlibStream :: ByteString -> ByteString
 zlibStream bytes = Bytes.concat [zlibHeader, deflatePiece Last bytes, zlibTrailer (adler32 bytes)]
 
--- | What is sent of a run of @n@ further bytes that equal the one before them:
--- tokens 0…255 are bytes, 256 ends the block, and 256 + n is such a run, with n
--- from 3 to 258.
+-- | The number of tokens. Tokens 0 to 255 are bytes, 256 ends the block, and 256 + n is
+-- a run of n further bytes equal to the one before, with n from 3 to 258.
 tokenCount :: Int
 tokenCount = 256 + longestRun + 1
 
 longestRun :: Int
 longestRun = 258
 
--- | Symbols of literals and lengths: 0…285.
+-- | The number of symbols for literals and lengths, 0 to 285.
 literalCount :: Int
 literalCount = 286
 
--- | How often each token occurs.
+-- | The number of occurrences of each token.
 tokenCounts :: ByteString -> U.Vector Int
 tokenCounts bytes = unsafeDupablePerformIO $ do
   counts <- MU.replicate tokenCount 0
@@ -86,15 +86,15 @@ tokenCounts bytes = unsafeDupablePerformIO $ do
   count 256
   U.unsafeFreeze counts
 
--- | Go through the bytes token by token: with each byte that is sent as it is,
--- and with each run's length.
+-- | Goes through the bytes token by token: calls the first function with each byte sent
+-- as it is, and the second with the length of each run.
 eachToken :: Ptr Word8 -> Int -> s -> (s -> Int -> IO s) -> (s -> Int -> IO s) -> IO s
 eachToken !start !size state literal run = go state (-1) 0
   where
     at :: Int -> IO Int
     at i = fromIntegral <$> (peekByteOff start i :: IO Word8)
-    -- What is passed in is called in one place each, so that it is inlined there
-    -- and the state stays in registers. No byte comes before the first.
+    -- Each function argument is called in only one place, so that it is inlined there
+    -- and the state stays in registers. There is no byte before the first.
     go !s !before !i
       | i >= size = pure s
       | otherwise = do
@@ -103,7 +103,7 @@ eachToken !start !size state literal run = go state (-1) 0
         if end - i >= 3
           then run s (end - i) >>= \s' -> go s' before end
           else literal s byte >>= \s' -> go s' byte (i + 1)
-    -- Where the run stops, or the limit; eight bytes at a time where it can.
+    -- The end of the run, or the limit; compares eight bytes at a time where possible.
     runEnd !before !i !end
       | i + 8 <= end = do
         eight <- peekByteOff start i :: IO Word64
@@ -118,8 +118,8 @@ eachToken !start !size state literal run = go state (-1) 0
         if byte == before then single before (i + 1) end else pure i
 {-# INLINE eachToken #-}
 
--- | A block's code: the lengths of its literals' codes, and for each token the
--- bits to send and how many, packed as bits × 32 + count.
+-- | A block's code: the lengths of its literals' codes, and for each token the bits to
+-- send and their number, packed as bits × 32 + count.
 data Code = Code !(U.Vector Int) !(U.Vector Int)
 
 blockCode :: U.Vector Int -> Code
@@ -136,12 +136,12 @@ blockCode tokens = Code lengths (U.generate tokenCount packed)
       | otherwise =
         let (symbol, extra, extraBits) = runSymbol (token - 256)
             n = U.unsafeIndex lengths symbol
-            -- The distance's code, a single 0 bit for distance 1, comes last.
+            -- The code of the distance, a single 0 bit for distance 1, comes last.
             bits = U.unsafeIndex codes symbol .|. (extra `shiftL` n)
          in (bits `shiftL` 5) .|. (n + extraBits + 1)
 
--- | A run's symbol, the value of its extra bits and how many these are (RFC
--- 1951, 3.2.5); the shortest length's for those below 3.
+-- | The symbol of a run, the value of its extra bits, and their number (RFC 1951,
+-- 3.2.5); those of the shortest length for lengths below 3.
 runSymbol :: Int -> (Int, Int, Int)
 runSymbol n
   | n >= longestRun = (285, 0, 0)
@@ -153,8 +153,8 @@ runSymbol n
   where
     floorLog2 m = length (takeWhile (<= m) (iterate (* 2) 1)) - 1
 
--- | Bits that wait for their byte: where the next byte goes, the bits, their
--- count.
+-- | Bits that wait for their byte: the position of the next byte, the bits, and their
+-- number.
 data Writer = Writer !Int !Word64 !Int
 
 emit :: Place -> ByteString -> Code -> Ptr Word8 -> IO Int
@@ -175,7 +175,7 @@ emit place bytes (Code lengths tokens) out = do
       let packed = U.unsafeIndex tokens t
        in put writer (packed `unsafeShiftR` 5) (packed .&. 31)
     {-# INLINE token #-}
-    -- At most 31 bits wait, and at most 32 come: no bit is lost.
+    -- At most 31 bits wait and at most 32 arrive, so no bit is lost.
     put :: Writer -> Int -> Int -> IO Writer
     put (Writer at waiting count) bits n
       | count' >= 32 = do
@@ -197,7 +197,7 @@ emit place bytes (Code lengths tokens) out = do
           ++ [(U.unsafeIndex lengthLengths symbol, 3) | symbol <- codeLengthOrder]
           ++ [(U.unsafeIndex lengthCodes n, U.unsafeIndex lengthLengths n) | n <- sent]
     putAll = foldl (\writer (bits, n) -> writer >>= \w -> put w bits n) . pure
-    -- The lengths of all literals' codes and of the one distance's.
+    -- The lengths of the codes of all literals and of the single distance.
     sent = U.toList lengths ++ [1]
     lengthLengths = codeLengths 7 (U.accum (+) (U.replicate codeLengthCount 0) [(n, 1) | n <- sent])
     lengthCodes = canonicalCodes lengthLengths
@@ -208,8 +208,8 @@ littleEndian32 w = case targetByteOrder of
   BigEndian -> byteSwap32 w
 {-# INLINE littleEndian32 #-}
 
--- | The symbols that code lengths are sent with: the lengths 0…15 and three
--- kinds of repetition, which are not used here.
+-- | The number of symbols for code lengths: the lengths 0 to 15, and three kinds of
+-- repetition, which are not used here.
 codeLengthCount :: Int
 codeLengthCount = 19
 

@@ -1,9 +1,8 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | OpenEXR files, after "OpenEXR File Layout" and "Technical Introduction to
--- OpenEXR" (Academy Software Foundation): one part of scan lines, ZIP
--- compression in blocks of 16 lines. Light is linear, in the primaries of
--- BT.709, as the film has it.
+-- | OpenEXR files with one part of scan lines and ZIP compression in blocks of 16
+-- lines, after "OpenEXR File Layout" and "Technical Introduction to OpenEXR" (Academy
+-- Software Foundation). Light is linear, in the primaries of BT.709, as on the film.
 module BlackHole.Image.Exr
   ( ExrPrecision (..),
     encodeExr,
@@ -16,6 +15,7 @@ where
 import BlackHole.Image.Bytes
 import BlackHole.Image.Deflate
 import BlackHole.Image.Label
+import BlackHole.Image.Sphere
 import BlackHole.Render.Film (Film, filmRows)
 import BlackHole.Render.Layer
 import BlackHole.Render.PixelArray (pixelArrayShape, toPixelVector)
@@ -40,7 +40,7 @@ import Foreign.Storable (pokeByteOff)
 import System.IO (Handle, SeekMode (AbsoluteSeek), hSeek)
 import System.Mem (performMajorGC)
 
--- | How finely light is kept. Layers always have 32 bits.
+-- | The precision of the light. Layers always have 32 bits.
 data ExrPrecision
   = -- | 16-bit floating point: within 1 in 2048, from 6e-8 to 65504.
     Half
@@ -48,7 +48,7 @@ data ExrPrecision
     Single
   deriving (Eq, Show, Enum, Bounded)
 
--- | One plane of numbers: its name, and whether it is written in 16 bits.
+-- | A channel: its name, and whether it is written in 16 bits.
 data Channel = Channel !String !Bool
 
 channelName :: Channel -> String
@@ -57,13 +57,13 @@ channelName (Channel name _) = name
 channelBytes :: Channel -> Int
 channelBytes (Channel _ half) = if half then 2 else 4
 
--- | A row's numbers of one channel, seen as their bits: whether it is written in 16
--- bits, where the numbers begin in the array, and how far they lie apart.
+-- | The numbers of one channel in a row, as bits: whether they are written in 16 bits,
+-- their first index in the array, and their distance.
 data ChannelRow = ChannelRow !Bool !Int !Int !(Vector.Vector Word32)
 
--- | A file of a film's light, channels R, G and B, with further layers and the
--- label (attributes @software@ and @comments@). 'Nothing' if names of layers do not
--- differ or are empty or longer than 31 characters. Equal bytes for any number of workers.
+-- | A file with a film's light in the channels R, G and B, additional layers and the
+-- label (attributes @software@ and @comments@). 'Nothing' if names of layers are equal,
+-- empty or longer than 31 characters. The bytes do not depend on the number of workers.
 encodeExr :: Workers -> ExrPrecision -> Label -> Layers -> Film -> IO (Maybe Lazy.ByteString)
 encodeExr crew precision label layers film
   | layersFit layers = do
@@ -80,19 +80,19 @@ encodeExr crew precision label layers film
     width = shapeWidth (pixelArrayShape film)
     height = shapeHeight (pixelArrayShape film)
 
--- | @writeExr workers precision label (width, height) layers rowsOf handle@: the same
--- file, of light by bands, to a handle that can seek, some rows at a time. 'Nothing'
--- where 'encodeExr' has nothing. The action gives 'False', with a file that breaks
--- off, as soon as a band is missing.
+-- | @writeExr workers precision label (width, height) layers rowsOf handle@ writes the
+-- file of 'encodeExr' from bands of light to a seekable handle, a few rows at a time.
+-- 'Nothing' where 'encodeExr' returns 'Nothing'. The action returns 'False', and leaves
+-- a truncated file, as soon as a band is missing.
 writeExr :: Workers -> ExrPrecision -> Label -> (Int, Int) -> Layers -> ((Int, Int) -> IO (Maybe Film)) -> Maybe (Handle -> IO Bool)
 writeExr crew precision label (width, height) layers rowsOf
   | layersFit layers = Just $ \handle -> do
     sizes <- newIORef []
     Bytes.hPut handle header
-    -- Where the blocks begin is known when they are written.
+    -- The offsets of the blocks are known only after they are written.
     Lazy.hPut handle (Lazy.replicate (8 * fromIntegral (length (blocksOf height))) 0)
     complete <- eachBlock crew precision width height layers rowsOf $ \bytes -> do
-      -- Evaluated, or the bytes would be kept for the sake of their number.
+      -- Evaluated now; otherwise the thunk of the length would retain the bytes.
       let !size = Bytes.length bytes
       modifyIORef' sizes (size :)
       Bytes.hPut handle bytes
@@ -110,22 +110,22 @@ layersFit layers = and (zipWith (/=) names (drop 1 names)) && all good (layerNam
     names = sort (["R", "G", "B"] ++ layerNames layers)
     good name = let size = length name in size > 0 && size < 32 && all (`elem` ['!' .. '~']) name
 
--- | The format wants them in the order of their names.
+-- | The channels in the order of their names, as the format requires.
 channelsOf :: ExrPrecision -> Layers -> [Channel]
 channelsOf precision layers =
   sortOn channelName $
     [Channel name (precision == Half) | name <- ["R", "G", "B"]] ++ [Channel name False | name <- layerNames layers]
 
--- | Where blocks of these sizes begin, after a header and this table.
+-- | The offsets of blocks of these sizes, after a header and this table.
 offsets :: Int -> [Int] -> Builder
 offsets header sizes =
   foldMap (Builder.word64LE . fromIntegral) (zipWith const (scanl (+) (header + 8 * length sizes) sizes) sizes)
 
--- | First rows of the blocks and the rows after their last ones.
+-- | The first row of each block and the row after its last.
 blocksOf :: Int -> [(Int, Int)]
 blocksOf height = [(row, min height (row + linesPerBlock)) | row <- [0, linesPerBlock .. height - 1]]
 
--- | Hand all blocks over, in order, with their row and size before them.
+-- | Passes on all blocks in order, each preceded by its row and size.
 eachBlock :: Workers -> ExrPrecision -> Int -> Int -> Layers -> ((Int, Int) -> IO (Maybe Film)) -> (ByteString -> IO ()) -> IO Bool
 eachBlock crew precision width height layers rowsOf put = go (blocksOf height)
   where
@@ -139,8 +139,8 @@ eachBlock crew precision width height layers rowsOf put = go (blocksOf height)
           Just film | (shapeWidth (pixelArrayShape film), shapeHeight (pixelArrayShape film), shapeChannels (pixelArrayShape film)) == (width, count, 3) -> do
             done <- mapShared crew (coded first film) group
             mapM_ put done
-            -- Large and of no use any more, but few: the collector would not
-            -- notice them in time.
+            -- The bands are large and no longer needed, but few, so the collector would
+            -- not notice them in time.
             performMajorGC
             go rest
           _ -> pure False
@@ -148,7 +148,7 @@ eachBlock crew precision width height layers rowsOf put = go (blocksOf height)
       rows <- mapM (rowChannels first film) [from .. to - 1]
       let content = block width rows
       pure (strict (Builder.int32LE (fromIntegral from) <> Builder.int32LE (fromIntegral (Bytes.length content))) <> content)
-    -- A row's channels in the order of their names.
+    -- The channels of a row in the order of their names.
     rowChannels first film row = do
       further <- layerRow layers row
       let light = Vector.unsafeCast (toPixelVector film)
@@ -156,7 +156,7 @@ eachBlock crew precision width height layers rowsOf put = go (blocksOf height)
             [(name, ChannelRow (precision == Half) (3 * width * (row - first) + k) 3 light) | (name, k) <- zip ["R", "G", "B"] [0 ..]]
               ++ [(name, ChannelRow False 0 1 (Vector.unsafeCast (fitted values))) | (name, values) <- zip (layerNames layers) (further ++ repeat Vector.empty)]
       pure (map snd (sortOn fst named))
-    -- What a layer lacks of a row is not known.
+    -- Values that a layer lacks are unknown.
     fitted :: Vector.Vector Float -> Vector.Vector Float
     fitted values
       | Vector.length values >= width = values
@@ -174,6 +174,8 @@ headerOf label width height channels =
     <> attribute "compression" "compression" (Builder.word8 3)
     <> attribute "dataWindow" "box2i" window
     <> attribute "displayWindow" "box2i" window
+    -- A map of all directions by latitude and longitude.
+    <> (if isWholeSphere label (width, height) then attribute "envmap" "envmap" (Builder.word8 0) else mempty)
     <> attribute "lineOrder" "lineOrder" (Builder.word8 0)
     <> attribute "pixelAspectRatio" "float" (Builder.floatLE 1)
     <> attribute "screenWindowCenter" "v2f" (Builder.floatLE 0 <> Builder.floatLE 0)
@@ -184,8 +186,8 @@ headerOf label width height channels =
     window = foldMap (Builder.int32LE . fromIntegral) [0, 0, width - 1, height - 1]
     described channel =
       Builder.string7 (channelName channel) <> Builder.word8 0
-        -- The type: 1 is half, 2 is float; then no perceptual coding, and every
-        -- pixel of every line.
+        -- The type (1 is half, 2 is float), no perceptual coding, and every pixel of
+        -- every line.
         <> Builder.int32LE (if channelBytes channel == 2 then 1 else 2)
         <> Builder.word32LE 0
         <> Builder.int32LE 1
@@ -203,7 +205,7 @@ magic = Bytes.pack [0x76, 0x2f, 0x31, 0x01, 2, 0, 0, 0]
 commentsName :: String
 commentsName = "comments"
 
--- | The label of an OpenEXR file that this program wrote.
+-- | The label of an OpenEXR file written by this program.
 exrLabel :: ByteString -> Maybe Label
 exrLabel bytes = Bytes.stripPrefix magic bytes >>= go
   where
@@ -217,9 +219,9 @@ exrLabel bytes = Bytes.stripPrefix magic bytes >>= go
         (name, afterName) = Bytes.break (== 0) rest
         sized = Bytes.drop 1 (Bytes.dropWhile (/= 0) (Bytes.drop 1 afterName))
 
--- | Some lines, channel by channel, compressed: bytes split into even and odd
--- ones, replaced by their differences, as a zlib stream; or as they are if that
--- is no shorter.
+-- | Several lines, channel by channel, compressed: the bytes are split into even and
+-- odd ones, replaced by their differences, and written as a zlib stream; or stored
+-- unchanged if that is no longer.
 block :: Int -> [[ChannelRow]] -> ByteString
 block width rows
   | Bytes.length compressed < Bytes.length raw = compressed
@@ -254,7 +256,7 @@ block width rows
         byte :: Int -> Word8 -> IO ()
         byte = pokeByteOff out
 
--- | The bytes at even places, then those at odd ones.
+-- | The bytes at even positions, followed by those at odd positions.
 evenOdd :: ByteString -> ByteString
 evenOdd bytes = unsafeCreate size (go 0)
   where
@@ -267,7 +269,7 @@ evenOdd bytes = unsafeCreate size (go 0)
         pokeByteOff out ((if even i then 0 else half) + i `quot` 2) (unsafeIndex bytes i)
         go (i + 1) out
 
--- | The first byte, then each byte less the one before it, plus 128.
+-- | The first byte, followed by each byte minus its predecessor plus 128.
 differences :: ByteString -> ByteString
 differences bytes = unsafeCreate (Bytes.length bytes) (go 0 128)
   where
@@ -279,23 +281,23 @@ differences bytes = unsafeCreate (Bytes.length bytes) (go 0 128)
         pokeByteOff out i (byte - before + 128)
         go (i + 1) byte out
 
--- | The bits of the nearest 16-bit floating-point number (IEEE 754 binary16, ties
--- to even) to that of the given 32. What is beyond the largest, 65504, becomes that
--- one unless it is infinite: light without end is no picture. NaN stays NaN.
+-- | The bits of the 16-bit floating-point number (IEEE 754 binary16) nearest to the
+-- given 32 bits, with ties to even. Finite values beyond the largest, 65504, become
+-- 65504. Infinities stay infinite, and NaN stays NaN.
 halfBits :: Word32 -> Word16
 halfBits bits
   | magnitude > 0x7f800000 = sign .|. 0x7e00
   | magnitude == 0x7f800000 = sign .|. 0x7c00
   | magnitude >= 0x477ff000 = sign .|. 0x7bff
-  -- Normal numbers: from 2^-14.
+  -- Normal numbers, from 2^-14 up.
   | magnitude >= 0x38800000 = sign .|. fromIntegral (rounded 13 (magnitude - 0x38000000))
-  -- Below 2^-24 times a half, which rounds to even: nothing.
+  -- At most half of 2^-24, which rounds to zero.
   | magnitude <= 0x33000000 = sign
   | otherwise = sign .|. fromIntegral (rounded shift ((magnitude .&. 0x7fffff) .|. 0x800000))
   where
     sign = fromIntegral ((bits `xor` magnitude) `shiftR` 16)
     magnitude = bits .&. complement 0x80000000
-    -- By so many bits the fraction moves below the smallest exponent.
+    -- The number of bits by which the fraction moves below the smallest exponent.
     shift = 126 - fromIntegral (magnitude `shiftR` 23) :: Int
     rounded :: Int -> Word32 -> Word32
     rounded by v = (v + (1 `shiftL` (by - 1)) - 1 + ((v `shiftR` by) .&. 1)) `shiftR` by

@@ -1,4 +1,4 @@
--- | A film as a file of any format, and a file's label whatever its format.
+-- | Picture files of any format: a film's bytes, and a file's label.
 module BlackHole.Image.File
   ( Development (..),
     encodeFile,
@@ -24,20 +24,20 @@ import Control.Applicative ((<|>))
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Lazy as Lazy
 
--- | How light becomes what a display shows, where the format wants that.
+-- | The development of light for formats that store display codes.
 data Development = Development
   { developmentExposure :: !Exposure,
     developmentToneMap :: !ToneMap,
-    -- | For formats of 8 bits.
+    -- | For formats with 8 bits.
     developmentDither :: !Dither
   }
   deriving (Eq, Show)
 
--- | The bytes of a file, coded as the label says, for which 'codingProblem'
--- must know nothing. Linear formats hold the film's light itself, without exposure and tone map;
--- layers go into OpenEXR alone. 'Nothing' where the format has no room for such
--- a picture, or the layers do not fit ('encodeExr'). The bytes are the same for
--- any number of workers.
+-- | The bytes of a file, encoded as the label says; 'codingProblem' must accept that
+-- coding. Linear formats store the film's light without exposure and tone map. Only
+-- OpenEXR stores layers. 'Nothing' if the picture is too large for the format, or if
+-- the layers do not fit ('encodeExr'). The bytes do not depend on the number of
+-- workers.
 encodeFile :: Workers -> Format -> Label -> Development -> Layers -> Film -> IO (Maybe Lazy.ByteString)
 encodeFile crew format label (Development exposure tone dither) layers film = case (format, bits) of
   (Png, 16) -> Just <$> (fine >>= encodePng crew label . Codes16)
@@ -56,8 +56,7 @@ encodeFile crew format label (Development exposure tone dither) layers film = ca
     coarse = developFilm crew exposure tone dither film
     fine = developFilmFinely crew exposure tone film
 
--- | The label that a file was written with; 'Nothing' for what is no picture of
--- this program.
+-- | The label of a picture file written by this program; 'Nothing' for other files.
 fileLabel :: ByteString -> Maybe Label
 fileLabel bytes =
   pngLabel bytes <|> exrLabel bytes <|> tiffLabel bytes <|> jpegLabel bytes <|> hdrLabel bytes

@@ -33,10 +33,10 @@ import Data.Maybe (fromMaybe)
 import Data.Vector.Storable (Vector)
 import System.IO (Handle, hIsSeekable)
 
--- | @finishFilm workers software format coding scenes exposed@: bloom, and then
--- what 'encodeFile' does, with the program's name and version and the scenes whose
--- mean light it is as the label, and with the first one's layers. The bytes are the
--- same for any number of workers.
+-- | @finishFilm workers software format coding scenes exposed@ applies bloom and then
+-- 'encodeFile'. The label contains the program's name and version and the scenes whose
+-- mean light the film is; the layers are those of the first scene. The bytes do not
+-- depend on the number of workers.
 finishFilm :: Workers -> String -> Format -> Coding -> NonEmpty Scene -> Exposed -> IO (Maybe Lazy.ByteString)
 finishFilm crew software format coding scenes@(scene :| _) exposed = do
   bloomed <- bloomFilm crew (sceneBloom scene) (exposedLight exposed)
@@ -50,12 +50,12 @@ layersFor format scene counts
   | format == Exr = fromMaybe noLayers (sceneLayers scene counts)
   | otherwise = noLayers
 
--- | What 'finishFilm' does for a picture that need not be in memory as a whole, nor
--- its file's bytes: @rowsOf (first, count)@ gives bands of its light, the next argument
--- the numbers of samples of a row, and the action writes the file, the
--- same bytes. It throws a user error when a band is missing. With bloom, a quarter
--- of the picture's light stays in memory; JPEG takes all of it. 'Nothing' where the
--- format has no room for such a picture.
+-- | 'finishFilm' for a picture that need not be in memory as a whole, and neither need
+-- its file. @rowsOf (first, count)@ returns bands of its light, and the next argument
+-- the numbers of samples of a row. The action writes the file with the bytes of
+-- 'finishFilm', and throws a user error if a band is missing. Bloom keeps a quarter of
+-- the picture's light in memory, and JPEG all of it. 'Nothing' if the picture is too
+-- large for the format.
 finishBands :: Workers -> String -> Format -> Coding -> NonEmpty Scene -> FilmBands -> (Int -> IO (Vector Float)) -> Maybe (Handle -> IO ())
 finishBands crew software format coding scenes@(scene :| _) sharpRows countsOf = do
   shape <- pixelShape width height 3
@@ -91,7 +91,7 @@ finishBands crew software format coding scenes@(scene :| _) sharpRows countsOf =
       Jpeg
         | width > 65535 || height > 65535 -> Nothing
         | otherwise -> Just whole
-    -- All that the format, or a pipe, leaves to do.
+    -- The case in which the format or a pipe requires everything at once.
     whole handle rowsOf = do
       film <- rowsOf (0, height)
       bytes <- maybe (pure Nothing) (encodeFile crew format label (developmentOf scene) layers) film
@@ -114,7 +114,7 @@ finishBands crew software format coding scenes@(scene :| _) sharpRows countsOf =
     prepared = developer (sceneExposure scene) (sceneToneMap scene)
     finely = developFilmFinely crew (sceneExposure scene) (sceneToneMap scene)
 
--- | What a picture of some scenes says of itself.
+-- | The label of a picture of some scenes.
 pictureLabel :: String -> Coding -> NonEmpty Scene -> Label
 pictureLabel software coding scenes =
   Label software coding (joinMoments (fmap (strict . Builder.stringUtf8 . printScene []) scenes))

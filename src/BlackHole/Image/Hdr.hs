@@ -1,7 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | Radiance's picture format: linear light as three 8-bit amounts with a shared
--- exponent, within 1 in 256 of the strongest primary (Ward, "Real Pixels", 1991).
+-- | Radiance's picture format: linear light as three 8-bit mantissas with a shared
+-- exponent, accurate to 1 in 256 of the strongest primary (Ward 1991, "Real Pixels").
 module BlackHole.Image.Hdr
   ( encodeHdr,
     hdrHeader,
@@ -30,9 +30,9 @@ import Data.Word (Word32, Word8)
 import Foreign.Ptr (Ptr)
 import Foreign.Storable (pokeByteOff)
 
--- | The film's light with its label in the header. Negative amounts and NaN
--- become 0; what is beyond 1e38 becomes that. Rows are run-length coded where
--- the format can (8 to 32767 pixels). Equal bytes for any number of workers.
+-- | The film's light with its label in the header. Negative components and NaN become
+-- 0; components above 1e38 become 1e38. Rows are run-length encoded where the format
+-- allows it (8 to 32767 pixels). The bytes do not depend on the number of workers.
 encodeHdr :: Workers -> Label -> Film -> IO Lazy.ByteString
 encodeHdr crew label film = do
   rows <- hdrRows crew film
@@ -40,7 +40,7 @@ encodeHdr crew label film = do
   where
     shape = pixelArrayShape film
 
--- | The file's lines before the rows of a picture of this width and height.
+-- | The lines of the file before the rows of a picture of this width and height.
 hdrHeader :: Label -> (Int, Int) -> ByteString
 hdrHeader label (width, height) =
   Characters.pack . unlines $
@@ -48,7 +48,7 @@ hdrHeader label (width, height) =
       ++ map ((commentMark ++) . Characters.unpack) (Characters.lines (labelText label))
       ++ ["FORMAT=32-bit_rle_rgbe", "", "-Y " ++ show height ++ " +X " ++ show width]
 
--- | The rows of a band, coded, one after the other.
+-- | The encoded rows of a band, in order.
 hdrRows :: Workers -> Film -> IO [ByteString]
 hdrRows crew film = mapShared crew (pure . codedRow) (mapMaybe (pixelRow film) [0 .. shapeHeight shape - 1])
   where
@@ -64,7 +64,7 @@ hdrRows crew film = mapShared crew (pure . codedRow) (mapMaybe (pixelRow film) [
         separate = rgbe width light
         interleaved = Bytes.pack [unsafeIndex separate (k * width + x) | x <- [0 .. width - 1], k <- [0 .. 3]]
 
--- | The label of a Radiance file that this program wrote.
+-- | The label of a Radiance file written by this program.
 hdrLabel :: ByteString -> Maybe Label
 hdrLabel bytes = case Characters.lines (Bytes.take 1000000 bytes) of
   first : rest
@@ -73,11 +73,11 @@ hdrLabel bytes = case Characters.lines (Bytes.take 1000000 bytes) of
         takeWhile (not . Bytes.null) rest
   _ -> Nothing
 
--- | In a scene's text no line is empty but for this.
+-- | Marks the label's lines, because the header ends at the first empty line.
 commentMark :: String
 commentMark = "# | "
 
--- | A row's reds, then its greens, blues and exponents.
+-- | The red components of a row, then the green and blue ones and the exponents.
 rgbe :: Int -> Vector.Vector Float -> ByteString
 rgbe width light = unsafeCreate (4 * width) (go 0)
   where
@@ -91,7 +91,7 @@ rgbe width light = unsafeCreate (4 * width) (go 0)
             g = amount 1
             b = amount 2
             peak = max r (max g b)
-            -- The power of two above the peak; one more if rounding needs it.
+            -- The power of two above the peak; one more if rounding requires it.
             least = exponent peak
             power = if codeOf (factorOf least) peak > 255 then least + 1 else least
             factor = factorOf power
@@ -107,13 +107,13 @@ rgbe width light = unsafeCreate (4 * width) (go 0)
     factorOf power = 2 ** fromIntegral (8 - power) :: Double
     codeOf :: Double -> Float -> Int
     codeOf factor v = truncate (realToFrac v * factor + 0.5)
-    -- Not a number: all bits of the exponent, and more.
+    -- Detects NaN: all bits of the exponent are set, and others.
     bounded v bits
       | bits .&. 0x7fffffff > 0x7f800000 = 0
       | otherwise = max 0 (min 1e38 v)
 
--- | Runs of four or more equal bytes as a count above 128 and the byte; the rest
--- as counts of up to 128 and so many bytes.
+-- | Run-length encoding: runs of four or more equal bytes as a count above 128 and the
+-- byte, and other bytes as a count of up to 128 and those bytes.
 runLengths :: ByteString -> ByteString
 runLengths = Bytes.concat . go
   where
@@ -126,7 +126,7 @@ runLengths = Bytes.concat . go
            in Bytes.cons (fromIntegral (Bytes.length literal)) literal : go (Bytes.drop (Bytes.length literal) bytes)
         where
           runLength = Bytes.length (Bytes.takeWhile (== byte) (Bytes.take 127 bytes))
-    -- Up to where the next run of four begins.
+    -- Up to the start of the next run of four.
     literalLength bytes = stretch 1
       where
         size = min 128 (Bytes.length bytes)

@@ -1,4 +1,4 @@
--- | Huffman codes of limited length, in the canonical form of RFC 1951.
+-- | Huffman codes of limited length in the canonical form of RFC 1951.
 module BlackHole.Image.Huffman
   ( codeLengths,
     canonicalCodes,
@@ -9,7 +9,7 @@ import Data.Bits (shiftL, shiftR, (.&.), (.|.))
 import Data.List (sortOn)
 import qualified Data.Vector.Unboxed as U
 
--- | A tree over the symbols, with the number of times it is used.
+-- | A tree over the symbols, with the sum of their counts.
 data Tree = Tree !Int !Shape
 
 data Shape = Leaf !Int | Fork Tree Tree
@@ -17,11 +17,11 @@ data Shape = Leaf !Int | Fork Tree Tree
 weight :: Tree -> Int
 weight (Tree w _) = w
 
--- | @codeLengths limit counts@: for symbols 0, 1 … the bits of each one's code,
--- 0 for those that never occur and at most the limit for the others. The mean
--- length is the least there is, except that where a code would be too long, the
--- counts are evened out by halving until none is. A single symbol that occurs
--- gets one bit. The limit must allow for the symbols: 2^limit or fewer of them.
+-- | @codeLengths limit counts@ are the lengths in bits of the codes of the symbols 0,
+-- 1, …: 0 for those that never occur, and at most the limit for the others. The mean
+-- length is minimal, except that if a code would be too long, the counts are halved
+-- until none is. A single symbol that occurs gets one bit. The limit must suffice for
+-- the symbols: at most 2^limit of them.
 codeLengths :: Int -> U.Vector Int -> U.Vector Int
 codeLengths limit counts
   | U.all (<= limit) lengths = lengths
@@ -38,11 +38,12 @@ freeLengths counts = U.replicate (U.length counts) 0 U.// depths
       [Tree _ (Leaf symbol)] -> [(symbol, 1)]
       _ -> maybe [] leafDepths (merge leaves (Queue [] []))
 
--- | First in, first out: the front in order, the back reversed.
+-- | A first-in, first-out queue: the front in order, the back reversed.
 data Queue = Queue [Tree] [Tree]
 
--- | Join the two lightest trees until one is left: single symbols wait in one
--- queue, joined trees in another, both by weight since later joins are heavier.
+-- | Joins the two lightest trees until one is left. Single symbols wait in one queue
+-- and joined trees in another; both are ordered by weight, because later joins are
+-- heavier.
 merge :: [Tree] -> Queue -> Maybe Tree
 merge leaves joined = do
   (first, leaves', joined') <- lightest leaves joined
@@ -68,8 +69,8 @@ leafDepths = go 0 []
       Leaf symbol -> (symbol, depth) : rest
       Fork a b -> go (depth + 1) (go (depth + 1) rest b) a
 
--- | The canonical codes of these lengths (RFC 1951, 3.2.2), each with its bits
--- in the order in which they are sent, first bit lowest; 0 for absent symbols.
+-- | The canonical codes of these lengths (RFC 1951, 3.2.2), each with its bits in the
+-- order in which they are sent, first bit lowest; 0 for absent symbols.
 canonicalCodes :: U.Vector Int -> U.Vector Int
 canonicalCodes lengths = U.replicate (U.length lengths) 0 U.// go 0 1
   where
@@ -82,6 +83,6 @@ canonicalCodes lengths = U.replicate (U.length lengths) 0 U.// go 0 1
       where
         symbols = U.findIndices (== n) lengths
 
--- | The lowest @n@ bits in the opposite order.
+-- | The lowest @n@ bits in reverse order.
 reversed :: Int -> Int -> Int
 reversed n code = foldl (\done i -> done `shiftL` 1 .|. (code `shiftR` i) .&. 1) 0 [0 .. n - 1]

@@ -1,4 +1,4 @@
--- | JPEG files, for where a small file counts more than every detail.
+-- | JPEG files, for when a small file matters more than every detail.
 module BlackHole.Image.Jpeg
   ( encodeJpeg,
     jpegLabel,
@@ -7,6 +7,7 @@ where
 
 import BlackHole.Image.Bytes
 import BlackHole.Image.Label
+import BlackHole.Image.Sphere
 import BlackHole.Render.PixelArray (PixelArray, pixelArrayShape, toPixelVector)
 import BlackHole.Render.PixelShape
 import Codec.Picture (Image (..), PixelRGB8)
@@ -19,29 +20,30 @@ import qualified Data.ByteString.Char8 as Characters
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Word (Word8)
 
--- | @encodeJpeg quality label codes@, the quality from 1 to 100; colours at full
--- resolution. The label is a comment; of one longer than 64 KiB the rest is cut
--- off. The format holds sides of up to 65535 pixels. About 0.1 µs a pixel, by one worker.
+-- | @encodeJpeg quality label codes@ is a JPEG file with colours at full resolution;
+-- the quality is from 1 to 100. The label becomes a comment, truncated at 64 KiB. The
+-- format allows sides of up to 65535 pixels. Takes about 0.1 µs per pixel, on one
+-- worker.
 encodeJpeg :: Int -> Label -> PixelArray Word8 -> Lazy.ByteString
-encodeJpeg quality label codes = Lazy.concat [before, Lazy.fromStrict comment, after]
+encodeJpeg quality label codes = Lazy.concat [before, Lazy.fromStrict (sphere <> comment), after]
   where
     shape = pixelArrayShape codes
     coded =
       encodeJpegAtQuality (fromIntegral (max 1 (min 100 quality))) $
         convertImage (Image (shapeWidth shape) (shapeHeight shape) (toPixelVector codes) :: Image PixelRGB8)
-    -- After the start marker and the JFIF segment, if that is there.
+    -- After the start marker and the JFIF segment, if there is one.
     (before, after) = Lazy.splitAt (fromIntegral headSize) coded
     start = Lazy.toStrict (Lazy.take 64 coded)
     headSize = case (slice 2 2 start, bigEndian 2 4 start) of
       (Just marker, Just size) | marker == Bytes.pack [0xff, 0xe0] -> 4 + size
       _ -> 2
-    text = Bytes.take 65533 (labelText label)
-    comment =
+    comment = segment 0xfffe (Bytes.take 65533 (labelText label))
+    sphere = foldMap (segment 0xffe1 . (Characters.pack "http://ns.adobe.com/xap/1.0/\0" <>)) (spherePacket label (shapeWidth shape, shapeHeight shape))
+    segment marker content =
       strict $
-        Builder.word16BE commentMarker <> Builder.word16BE (fromIntegral (Bytes.length text + 2)) <> Builder.byteString text
-    commentMarker = 0xfffe
+        Builder.word16BE marker <> Builder.word16BE (fromIntegral (Bytes.length content + 2)) <> Builder.byteString content
 
--- | The label of a JPEG file that this program wrote.
+-- | The label of a JPEG file written by this program.
 jpegLabel :: ByteString -> Maybe Label
 jpegLabel bytes = Bytes.stripPrefix (Bytes.pack [0xff, 0xd8]) bytes >>= go
   where
@@ -51,6 +53,6 @@ jpegLabel bytes = Bytes.stripPrefix (Bytes.pack [0xff, 0xd8]) bytes >>= go
       content <- slice 4 (size - 2) rest
       case marker of
         0xfffe | Characters.pack "# " `Bytes.isPrefixOf` content -> parseLabel content
-        -- The picture itself begins.
+        -- The start of the picture itself.
         0xffda -> Nothing
         _ -> go (Bytes.drop (2 + size) rest)

@@ -1,8 +1,7 @@
--- | Whether the segments of a JPEG file are what a decoder can rely on (ITU-T T.81,
--- annex B).
+-- | Validation of the segments of a JPEG file before decoding (ITU-T T.81, annex B).
 --
--- JuicyPixels builds its trees from the tables of Huffman codes without looking
--- whether such a code is possible: a single changed byte can keep it busy for ever.
+-- JuicyPixels builds its trees from the tables of Huffman codes without checking
+-- whether such a code is possible, so a single changed byte can keep it busy for ever.
 module BlackHole.Image.JpegSegments (soundJpeg) where
 
 import Data.Bits (shiftL, shiftR, (.&.), (.|.))
@@ -12,9 +11,9 @@ import Data.List (nub)
 import Data.Maybe (isJust)
 import Data.Word (Word8)
 
--- | Whether the file has one frame header, with possible sampling factors, tables of
--- possible Huffman codes alone, and scans that refer to what is there, up to its end
--- or the end of its data. Linear in its size.
+-- | Whether the file has one frame header with valid sampling factors, only tables of
+-- valid Huffman codes, and scans that refer to existing components and tables, up to
+-- its end or the end of its data. Linear in the file's size.
 soundJpeg :: ByteString -> Bool
 soundJpeg bytes = Bytes.take 2 bytes == Bytes.pack [0xff, 0xd8] && segments [] Nothing (Bytes.drop 2 bytes)
   where
@@ -34,11 +33,11 @@ soundJpeg bytes = Bytes.take 2 bytes == Bytes.pack [0xff, 0xd8] && segments [] N
           size = fromIntegral high `shiftL` 8 + fromIntegral low
           content = Bytes.drop 4 (Bytes.take (size + 2) rest)
           after = Bytes.drop (size + 2) rest
-      -- Decoders go without the last marker.
+      -- Decoders accept a missing last marker.
       end -> isJust frame && take 2 end `elem` [[], [0xff], [0xff, 0xd9]]
 
--- | Components of the frame, each once, with tables that are there for what the
--- scan's coefficients need.
+-- | Whether the scan refers to components of the frame, each once, with existing tables
+-- for the coefficients it needs.
 scanHeader :: [Word8] -> ByteString -> [Word8] -> Bool
 scanHeader tables content frame = case Bytes.unpack content of
   count : rest
@@ -52,7 +51,7 @@ scanHeader tables content frame = case Bytes.unpack content of
     evens (a : rest) = a : evens (drop 1 rest)
     evens [] = []
 
--- | How far the coded data go, up to a marker that is no restart.
+-- | The length of the entropy-coded data, up to a marker other than a restart.
 scanLength :: ByteString -> Int
 scanLength bytes = go 0
   where
@@ -64,7 +63,7 @@ scanLength bytes = go 0
           | otherwise -> at + ahead
         _ -> Bytes.length bytes
 
--- | The numbers of one to four components, whose factors are 1 to 4.
+-- | The numbers of one to four components with factors from 1 to 4.
 frameHeader :: ByteString -> Maybe [Word8]
 frameHeader content = case Bytes.unpack content of
   _ : _ : _ : _ : _ : count : components
@@ -76,8 +75,8 @@ frameHeader content = case Bytes.unpack content of
     possible [] = Just []
     possible _ = Nothing
 
--- | Tables one after the other: class and number, how many codes there are of each
--- length up to 16, and a symbol for each. Their classes and numbers.
+-- | The classes and numbers of consecutive tables. Each table holds its class and
+-- number, the number of codes of each length up to 16, and a symbol for each code.
 huffmanTables :: ByteString -> Maybe [Word8]
 huffmanTables content = case Bytes.uncons content of
   Nothing -> Just []
@@ -88,5 +87,5 @@ huffmanTables content = case Bytes.uncons content of
     where
       counts = map fromIntegral (Bytes.unpack (Bytes.take 16 rest)) :: [Int]
       total = sum counts
-      -- Of all words of 16 bits, those that begin with a code (Kraft 1949).
+      -- The number of 16-bit words that begin with a code (Kraft 1949).
       room = sum (zipWith (\n size -> n `shiftL` (16 - size)) counts [1 ..])

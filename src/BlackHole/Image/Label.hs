@@ -1,4 +1,4 @@
--- | What a picture file says of its own making: enough to make it again.
+-- | The label of a picture file: everything needed to render the picture again.
 module BlackHole.Image.Label
   ( Label (..),
     labelText,
@@ -12,8 +12,8 @@ import qualified Data.ByteString.Char8 as Characters
 import Data.List (intercalate, stripPrefix)
 import Text.Read (readMaybe)
 
--- | The program that made the file, how the pixels are coded, and the scene in
--- the words of a scene file (UTF-8, ending in a line's end).
+-- | The program that made the file, the coding of the pixels, and the scene as the text
+-- of a scene file (UTF-8, ending with a newline).
 data Label = Label
   { labelSoftware :: !String,
     labelCoding :: !Coding,
@@ -21,8 +21,8 @@ data Label = Label
   }
   deriving (Eq, Show)
 
--- | One text for all file formats: a comment line, then the scene. The whole is
--- itself a scene file.
+-- | The label as one text for all file formats: a comment line, then the scene. The
+-- whole text is itself a valid scene file.
 labelText :: Label -> ByteString
 labelText label = Characters.pack (firstLine ++ "\n") <> labelScene label
   where
@@ -52,7 +52,7 @@ parseLabel text = do
 mark :: String
 mark = "# made by "
 
--- | The parts between separators, without spaces before them.
+-- | The parts between separators, without leading spaces.
 splitOn :: Char -> String -> [String]
 splitOn separator text = case break (== separator) text of
   (part, []) -> [trimmed part]

@@ -1,8 +1,7 @@
--- | Several scenes in one text: those whose mean light a picture with motion
--- blur is.
+-- | The text of several scenes whose mean light is a picture with motion blur.
 --
--- The text is that of the first scene, and for a single scene no more than that.
--- Comments after it list the lines in which each of the others differs.
+-- The text starts with the first scene, and for a single scene it contains nothing
+-- else. Comments after it list the lines in which each of the other scenes differs.
 module BlackHole.Image.Moments
   ( maximumMoments,
     joinMoments,
@@ -19,11 +18,11 @@ import Data.List.NonEmpty (NonEmpty (..))
 import qualified Data.Map.Strict as Map
 import Data.Maybe (mapMaybe)
 
--- | The most scenes that one picture is the mean of.
+-- | The maximum number of scenes of one picture.
 maximumMoments :: Int
 maximumMoments = 1024
 
--- | One text of several, each of which ends with a newline.
+-- | Combines several scenes, each of which ends with a newline, into one text.
 joinMoments :: NonEmpty ByteString -> ByteString
 joinMoments (first :| []) = first
 joinMoments (first :| others) =
@@ -44,9 +43,9 @@ countMark = Characters.pack "# moments "
 momentMark = Characters.pack "# moment with lines "
 lineMark = Characters.pack "# "
 
--- | The inverse of 'joinMoments'. On the left, why the text cannot be split: it may
--- come from a file that anyone made. Takes time and memory in proportion to the
--- text and to the scenes, which together have at most 16 MiB.
+-- | The inverse of 'joinMoments'. 'Left' holds the reason why the text cannot be split,
+-- because it may come from any file. Takes time and memory proportional to the text and
+-- to the scenes, which together have at most 16 MiB.
 splitMoments :: ByteString -> Either String (NonEmpty ByteString)
 splitMoments text = case break (countMark `Bytes.isPrefixOf`) (Characters.lines text) of
   (_, []) -> Right (text :| [])
@@ -60,17 +59,17 @@ splitMoments text = case break (countMark `Bytes.isPrefixOf`) (Characters.lines 
       count = maybe 0 fst (Characters.readInt (Bytes.drop (Bytes.length countMark) header))
       original = Characters.unlines first
   where
-    -- The number of lines of each scene but the first, and those that differ.
+    -- The number of lines of each scene after the first, and the lines that differ.
     momentsIn lines' = case dropWhile (null . lineCount) lines' of
       line : more ->
-        let (own, others) = break (not . null . lineCount) more
+        let (own, others) = span (null . lineCount) more
          in (sum (lineCount line), Map.fromList (mapMaybe replacement own)) : momentsIn others
       [] -> []
     lineCount line = fst <$> (Bytes.stripPrefix momentMark line >>= Characters.readInt)
     replacement line = do
       (n, rest) <- Characters.readInt =<< Bytes.stripPrefix lineMark line
       (,) n <$> Bytes.stripPrefix (Characters.pack ":") rest
-    -- Every line comes from the first scene or is listed.
+    -- Every line is either listed or taken from the first scene.
     changed first (count, replaced) = do
       guard (count <= length first + Map.size replaced)
       Characters.unlines <$> sequence [Map.lookup n replaced <|> line | (n, line) <- zip [1 .. count] (map Just first ++ repeat Nothing)]

@@ -1,8 +1,8 @@
--- | A picture of the whole sky from a file.
+-- | Environment maps from image files.
 --
--- Whatever the file holds, the outcome is a picture or one line that says what
--- is wrong: the size that its header claims is checked before any memory is
--- taken for it, and a decoder's fault becomes a message too.
+-- For any content of the file, the outcome is a picture or a one-line message. The size
+-- claimed by the header is checked before memory is allocated, and errors of a decoder
+-- become messages as well.
 module BlackHole.Image.Panorama
   ( readPanorama,
     readPanoramaBytes,
@@ -32,19 +32,19 @@ import qualified Data.Vector.Unboxed as U
 import System.IO (IOMode (..), hFileSize, withBinaryFile)
 import System.IO.Error (ioeGetErrorString)
 
--- | The most pixels that a panorama may have: 8192 by 4096. Such a picture takes
--- 550 MB, and with 16 bits a channel 1.4 GB while it is made.
+-- | The most pixels of an environment map: 8192 by 4096. Such a picture takes 550 MB,
+-- and with 16 bits per channel 1.4 GB while it is decoded.
 maximumPanoramaPixels :: Int
 maximumPanoramaPixels = 8192 * 4096
 
--- | Read an equirectangular picture, twice as wide as high: PNG, JPEG, plain TIFF or
--- Radiance HDR. Files with 8 or 16 bits a channel are taken for sRGB, those of
--- floating-point numbers for linear. 'Left' with a message without the file's
--- name. About 0.2 µs a pixel.
+-- | Reads an equirectangular picture, twice as wide as high: PNG, JPEG, plain TIFF or
+-- Radiance HDR. Files with 8 or 16 bits per channel are interpreted as sRGB, and those
+-- with floating-point numbers as linear. 'Left' holds a message without the file's
+-- name. Takes about 0.2 µs per pixel.
 readPanorama :: FilePath -> IO (Either String SkyImage)
 readPanorama file = readPanoramaBytes file >>= either (pure . Left) decodePanorama
 
--- | The file's bytes, if it is there and not far too long, or the message.
+-- | The file's bytes if the file exists and has a plausible size, or a message.
 readPanoramaBytes :: FilePath -> IO (Either String Bytes.ByteString)
 readPanoramaBytes file = do
   contents <- try (withBinaryFile file ReadMode sized)
@@ -60,7 +60,7 @@ readPanoramaBytes file = do
         then pure Nothing
         else Just <$> Bytes.hGet handle (fromInteger size)
 
--- | The picture in a file's bytes, or the message.
+-- | The picture in a file's bytes, or a message.
 decodePanorama :: Bytes.ByteString -> IO (Either String SkyImage)
 decodePanorama bytes = do
   decoded <- try (evaluate (maybe (decodedByKind bytes) Left (panoramaFault bytes <|> swollen bytes)))
@@ -70,12 +70,12 @@ decodePanorama bytes = do
       | Just (SomeAsyncException _) <- fromException fault -> throwIO (fault :: SomeException)
       | otherwise -> pure (Left "is damaged: its decoder gave up")
 
--- | Each kind by its own decoder: one that tries all of them takes a damaged file
--- for a Targa, which has no mark, of any size.
+-- | Chooses the decoder by the kind of file. A decoder that tries all kinds takes a
+-- damaged file for a Targa of any size, because Targa has no signature.
 decodedByKind :: Bytes.ByteString -> Either String SkyImage
 decodedByKind bytes
   | Bytes.isPrefixOf (Bytes.pack [0x89]) bytes = case Bytes.unpack (Bytes.take 1 (Bytes.drop 28 bytes)) of
-    -- JuicyPixels can leave its memory over a damaged interlaced one.
+    -- JuicyPixels can access memory out of bounds in a damaged interlaced PNG.
     [0] -> decodedBy decodePng
     _ -> Left "is interlaced, or damaged; save it without interlacing"
   | Bytes.isPrefixOf (Bytes.pack [0xff]) bytes = if soundJpeg bytes then decodedBy decodeJpeg else Left "is damaged"
@@ -89,7 +89,7 @@ decodedByKind bytes
       | otherwise = Radiance (linear r) (linear g) (linear b)
     linear = decodeSrgb . realToFrac
 
--- | What is wrong with a file's bytes as far as its header tells.
+-- | The error in a file's bytes that its header reveals, if there is one.
 panoramaFault :: Bytes.ByteString -> Maybe String
 panoramaFault bytes = case panoramaSize bytes of
   Nothing -> Just "is not a PNG, JPEG, TIFF or Radiance HDR picture"
@@ -102,18 +102,18 @@ panoramaFault bytes = case panoramaSize bytes of
     where
       size = "measures " ++ show width ++ " by " ++ show height ++ " pixels"
 
--- | Whether a PNG unpacks to more than its pixels can be: a kilobyte may hold a
--- megabyte of zeros, and the decoder would take memory for all of them. Unpacks
--- the file once more, up to there, in constant memory.
+-- | Whether a PNG decompresses to more bytes than its pixels can need. A kilobyte may
+-- contain a megabyte of zeros, and the decoder would allocate memory for all of them.
+-- Decompresses the file once more, up to that limit, in constant memory.
 swollen :: Bytes.ByteString -> Maybe String
 swollen bytes = do
   packed <- Lazy.fromChunks <$> pngData bytes
   (width, height) <- panoramaSize bytes
-  -- Eight bytes a pixel, and a byte for each row of each pass.
+  -- Eight bytes per pixel, and one byte for each row of each pass.
   let most = fromIntegral (8 * width * height + 16 * (width + height))
   if Lazy.null (Lazy.drop most (Zlib.decompress packed)) then Nothing else Just "is damaged: it holds more than its pixels"
 
--- | The packed data of a PNG; 'Nothing' for other files.
+-- | The compressed data of a PNG; 'Nothing' for other files.
 pngData :: Bytes.ByteString -> Maybe [Bytes.ByteString]
 pngData bytes
   | pngSignature `Bytes.isPrefixOf` bytes = Just (chunks (Bytes.drop 8 bytes))
@@ -130,9 +130,9 @@ pngData bytes
 pngSignature :: Bytes.ByteString
 pngSignature = Bytes.pack [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]
 
--- | Width and height that a file's header claims; 'Nothing' for other kinds of
--- files, and for headers that end too early. Linear in the number of a JPEG's
--- segments or a TIFF's tags.
+-- | Width and height according to a file's header; 'Nothing' for other kinds of files,
+-- and for headers that are truncated. Linear in the number of a JPEG's segments or a
+-- TIFF's tags.
 panoramaSize :: Bytes.ByteString -> Maybe (Int, Int)
 panoramaSize bytes
   | pngSignature `Bytes.isPrefixOf` bytes = (,) <$> big 4 16 <*> big 4 20
@@ -148,7 +148,7 @@ panoramaSize bytes
     slice count at
       | at < 0 || at > Bytes.length bytes - count = Nothing
       | otherwise = Just (Bytes.take count (Bytes.drop at bytes))
-    -- Segments up to the first frame header, which has the size.
+    -- Segments up to the first frame header, which contains the size.
     jpeg at = do
       marker <- big 2 at
       size <- big 2 (at + 2)
@@ -173,7 +173,8 @@ panoramaSize bytes
             word (if kind == 3 then 2 else 4) (at + 8)
       (,) <$> tag 256 <*> tag 257
 
--- | The decoded picture, linear. The header may have lied: its own size counts.
+-- | The decoded picture as linear light. Uses the decoded size, because the header may
+-- be wrong.
 pictured :: DynamicImage -> Either String SkyImage
 pictured decoded = case decoded of
   ImageY8 image -> made8 (promoteImage image)
@@ -197,7 +198,7 @@ pictured decoded = case decoded of
     code16 v = decodeSrgb (fromIntegral v / 65535)
     codes = U.generate 256 (\v -> decodeSrgb (fromIntegral v / 255))
 
--- | Light is neither negative nor infinite, whatever a file says.
+-- | Replaces negative and infinite values, which light cannot have.
 positive :: Float -> Double
 positive v
   | v > 0 = min 1e6 (realToFrac v)

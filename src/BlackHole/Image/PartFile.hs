@@ -1,5 +1,5 @@
--- | Files that are being written, under names that say by which process: if it is
--- killed, a later run removes them.
+-- | Temporary files whose names identify the process that writes them, so that a later
+-- run can remove those of a killed process.
 module BlackHole.Image.PartFile
   ( openPartFile,
     sweepPartFiles,
@@ -26,17 +26,17 @@ import System.Posix.Signals (nullSignal, signalProcess)
 import System.Posix.Unistd (getSystemID, nodeName)
 import Text.Read (readMaybe)
 
--- | @openPartFile folder extension@: a new file in a folder, for writing. Its name is
--- short and not made from that of the finished file, which may be as long as the file
--- system allows. Throws what the system says.
+-- | @openPartFile folder extension@ creates a new file in a folder and opens it for
+-- writing. Its name is short and independent of the finished file's name, which may be
+-- as long as the file system allows. Throws the exceptions of the file system.
 openPartFile :: FilePath -> String -> IO (FilePath, Handle)
 openPartFile folder extension = do
   prefix <- partPrefix
   process <- getProcessID
   openBinaryTempFileWithDefaultPermissions folder (prefix ++ show process ++ "-" ++ extension)
 
--- | Remove the files that processes of this machine that are gone have left in a
--- folder. What cannot be listed or removed stays.
+-- | Removes the files that dead processes of this machine have left in a folder. Skips
+-- files that cannot be listed or removed.
 sweepPartFiles :: FilePath -> IO ()
 sweepPartFiles folder = quietly () $ do
   prefix <- partPrefix
@@ -51,8 +51,8 @@ sweepPartFiles folder = quietly () $ do
       answer <- try (signalProcess nullSignal (fromInteger process))
       pure (either (not . isDoesNotExistError) (const True) answer)
 
--- Process numbers are comparable on one machine, since its last start, and in one
--- container only.
+-- Process numbers are comparable only on one machine, since its last start, and within
+-- one container.
 partPrefix :: IO String
 partPrefix = do
   (host, boot) <- machine
@@ -62,8 +62,8 @@ partPrefix = do
     fingerprint = concatMap twoDigits . Bytes.unpack . Bytes.take 4 . SHA256.hash . Characters.pack
     twoDigits b = (if b < 16 then "0" else "") ++ showHex b ""
 
--- | The machine's name, and what else makes process numbers comparable: its last
--- start and, in a container, the numbering of its own.
+-- | The machine's name, and what else makes process numbers comparable: its last start
+-- and, in a container, its own numbering.
 machine :: IO (String, String)
 machine = do
   host <- nodeName <$> getSystemID

@@ -1,8 +1,8 @@
--- | Reading TIFF files that are not compressed (TIFF 6.0).
+-- | A reader for uncompressed TIFF files (TIFF 6.0).
 --
--- JuicyPixels' decoder reads and writes where a damaged file says, outside its
--- memory too, and takes any amount of it. This one knows the plain kinds alone, and
--- looks only where it has made sure that there is something.
+-- JuicyPixels' decoder follows the offsets of a damaged file, even outside its own
+-- memory, and allocates any amount of memory. This reader accepts only the plain kinds
+-- of TIFF, and checks every position before it reads there.
 module BlackHole.Image.PlainTiff
   ( PlainTiff (..),
     readPlainTiff,
@@ -19,28 +19,28 @@ import qualified Data.Vector.Unboxed as U
 import Data.Word (Word32)
 import GHC.Float (castWord32ToFloat)
 
--- | A picture whose samples are looked up in the file.
+-- | A picture whose samples are read from the file on demand.
 data PlainTiff = PlainTiff
   { tiffWidth :: !Int,
     tiffHeight :: !Int,
     -- | Whether samples are floating-point numbers; otherwise they are codes.
     tiffFloating :: !Bool,
-    -- | The red, green and blue sample in a column and row: a code as a part of the
-    -- greatest one, 0…1, or the number itself. Grey has three equal ones; alpha and
-    -- what else may follow is passed over. 0 outside the picture.
+    -- | The red, green and blue sample in a column and row: a code as a fraction of the
+    -- greatest one, 0 to 1, or the number itself. Grey has three equal samples; alpha
+    -- and further samples are ignored. 0 outside the picture.
     tiffSamples :: Int -> Int -> (Float, Float, Float)
   }
 
--- | The first picture of a file with 8 or 16 bits or floating-point numbers of 32
--- bits a sample, grey or RGB, whose samples lie together and are not compressed.
--- 'Nothing' for all others and for damaged ones. Linear in the number of its strips.
+-- | The first picture of a file with 8-bit, 16-bit or 32-bit floating-point samples,
+-- grey or RGB, whose samples are contiguous and uncompressed. 'Nothing' for all other
+-- files and for damaged ones. Linear in the number of strips.
 readPlainTiff :: ByteString -> Maybe PlainTiff
 readPlainTiff bytes
   | Characters.pack "II*\0" `Bytes.isPrefixOf` bytes = reading [0 ..]
   | Characters.pack "MM\0*" `Bytes.isPrefixOf` bytes = reading [3, 2, 1, 0]
   | otherwise = Nothing
   where
-    -- Where the bytes of a number of four stand, the lowest first.
+    -- The positions of the bytes of a four-byte number, lowest byte first.
     reading :: [Int] -> Maybe PlainTiff
     reading order = do
       directory <- word 4 4
@@ -96,7 +96,7 @@ readPlainTiff bytes
         word size at
           | at < 0 || at > Bytes.length bytes - size = Nothing
           | otherwise = Just (foldr (\k n -> n `shiftL` 8 .|. fromIntegral (unsafeIndex bytes (at + k))) 0 (placesOf size order))
-        -- Up to four bytes stand in the entry itself, more elsewhere.
+        -- Up to four bytes are stored in the entry itself, more elsewhere.
         valuesAt at = do
           kind <- word 2 (at + 2)
           count <- word 4 (at + 4)

@@ -1,11 +1,11 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | PNG coding of developed pictures (ISO/IEC 15948), by several workers.
+-- | PNG encoding of developed pictures by several workers (ISO/IEC 15948).
 --
--- Every row is filtered by taking the pixel to its left from each pixel, which
--- is within a few per cent of the best filter for each row of a rendered
--- picture. Strips of rows are compressed independently of each other
--- ("BlackHole.Image.Deflate") and become one zlib stream.
+-- The filter of every row subtracts the pixel to the left from each pixel, which for
+-- rendered pictures is within a few per cent of the best filter for each row. Strips of
+-- rows are compressed independently ("BlackHole.Image.Deflate") and form one zlib
+-- stream.
 module BlackHole.Image.Png
   ( Codes (..),
     encodePng,
@@ -18,6 +18,7 @@ import BlackHole.Image.Bytes
 import BlackHole.Image.Checksum
 import BlackHole.Image.Deflate
 import BlackHole.Image.Label
+import BlackHole.Image.Sphere
 import BlackHole.Render.PixelArray (PixelArray, pixelArrayShape, toPixelVector)
 import BlackHole.Render.PixelShape
 import BlackHole.Render.Shared (mapShared)
@@ -37,14 +38,14 @@ import Foreign.Marshal.Alloc (allocaBytes)
 import Foreign.Ptr (Ptr, plusPtr)
 import Foreign.Storable (Storable, peekByteOff, pokeByteOff)
 
--- | Developed pixels of three channels.
+-- | Developed pixels with three channels.
 data Codes
   = Codes8 !(PixelArray Word8)
   | Codes16 !(PixelArray Word16)
 
--- | An RGB PNG with its label, marked as sRGB, without a time: equal pixels give
--- equal bytes, for any number of workers. About 15 ns a pixel, and three times
--- that in 16 bits.
+-- | An RGB PNG with its label, marked as sRGB and without a time stamp: equal pixels
+-- give equal bytes, for any number of workers. Takes about 15 ns per pixel, and three
+-- times that in 16 bits.
 encodePng :: Workers -> Label -> Codes -> IO Lazy.ByteString
 encodePng crew label codes = do
   strips <- mapShared crew (pure . compressedStrip codes) (stripsOf shape (codeBytes codes))
@@ -53,13 +54,13 @@ encodePng crew label codes = do
   where
     shape = codesShape codes
 
--- | @encodePngBands workers label shape bytes rowsOf put@: the same file of a
--- picture that need not be in memory as a whole. @rowsOf (first, count)@ gives its
--- bands of rows one after the other, some megabytes of pixels at a time; of a band
--- the workers ask the codes of a few rows, first and count again as in the picture,
--- with so many bytes per number as was said. @put@ takes the file's bytes. 'False',
--- with a file that breaks off, as soon as a band or rows of it are missing or of
--- another shape.
+-- | @encodePngBands workers label shape bytes rowsOf put@ writes the file of
+-- 'encodePng' for a picture that need not be in memory as a whole. @rowsOf (first,
+-- count)@ returns consecutive bands of rows, each of several megabytes of pixels. The
+-- workers ask such a band for the codes of a few rows, again by first row and count
+-- within the picture, with @bytes@ bytes per number. @put@ receives the bytes of the
+-- file. The result is 'False', and the file truncated, as soon as a band or rows of it
+-- are missing or have another shape.
 encodePngBands :: Workers -> Label -> PixelShape -> Int -> ((Int, Int) -> IO (Maybe ((Int, Int) -> Maybe Codes))) -> (ByteString -> IO ()) -> IO Bool
 encodePngBands crew label shape bytes rowsOf put =
   go mempty [pngStart label shape bytes] (inGroups (stripsOf shape bytes))
@@ -68,7 +69,7 @@ encodePngBands crew label shape bytes rowsOf put =
     go !total ready (strips : rest) = do
       let first = minimum [from | Rows from _ _ <- strips]
       band <- rowsOf (first, maximum [to | Rows _ to _ <- strips] - first)
-      -- While one worker writes what is ready, the others go on.
+      -- While one worker writes finished strips, the others continue.
       done <- case band of
         Nothing -> pure Nothing
         Just codesOf -> sequence . drop 1 <$> mapShared crew id ((Nothing <$ mapM_ put ready) : map (evaluate . stripOf codesOf) strips)
@@ -81,8 +82,8 @@ encodePngBands crew label shape bytes rowsOf put =
       if (shapeWidth part, shapeHeight part, shapeChannels part) == (shapeWidth shape, to - from, shapeChannels shape) && codeBytes codes == bytes
         then Just $! compressedStrip codes (Rows 0 (to - from) place)
         else Nothing
-    -- At the end of a group workers wait for the last of them; a strip of 8 bits
-    -- stands for a megabyte of light.
+    -- At the end of a group the workers wait for the last one. A strip with 8 bits
+    -- corresponds to a megabyte of light.
     groupSize = max (2 * workersCount crew) (min 48 (16 * workersCount crew))
     inGroups strips = case splitAt groupSize strips of
       ([], _) -> []
@@ -94,24 +95,25 @@ pngStart label shape bytes =
   strict $
     Builder.byteString signature
       <> chunk "IHDR" (strict header)
-      -- The signal is sRGB, to be shown as it is (perceptual intent).
+      -- The signal is sRGB, with perceptual rendering intent.
       <> chunk "sRGB" (Bytes.singleton 0)
       <> chunk "tEXt" (Bytes.concat [Characters.pack "Software\0", Characters.pack (labelSoftware label)])
-      -- Not compressed, of no language.
+      -- Uncompressed, without a language.
       <> chunk "iTXt" (Bytes.concat [sceneKeyword, Characters.pack "\0\0\0\0\0", labelText label])
+      <> foldMap (chunk "iTXt" . (Characters.pack "XML:com.adobe.xmp\0\0\0\0\0" <>)) (spherePacket label (shapeWidth shape, shapeHeight shape))
       <> chunk "IDAT" zlibHeader
   where
     header =
       Builder.word32BE (fromIntegral (shapeWidth shape))
         <> Builder.word32BE (fromIntegral (shapeHeight shape))
-        -- RGB, the only compression and filtering, no interlace.
+        -- RGB, the only compression and filter method, not interlaced.
         <> foldMap Builder.word8 [8 * fromIntegral bytes, 2, 0, 0, 0]
 
--- | The stream's last bytes and the end of the file.
+-- | The last bytes of the stream and the end of the file.
 pngEnd :: Adler32 -> ByteString
 pngEnd total = strict (chunk "IDAT" (zlibTrailer total) <> chunk "IEND" Bytes.empty)
 
--- | The label of a PNG file that this program wrote.
+-- | The label of a PNG file written by this program.
 pngLabel :: ByteString -> Maybe Label
 pngLabel bytes = Bytes.stripPrefix signature bytes >>= go
   where
@@ -145,11 +147,12 @@ chunk name content =
   where
     named = Characters.pack name <> content
 
--- | Rows from one to before another, and whether they are the last.
+-- | A range of rows (from the first to before the last), and whether it ends the
+-- picture.
 data Rows = Rows !Int !Int !Place
 
--- | Of about 256 KiB, so that there is work for many and little is lost at the
--- seams.
+-- | Strips of about 256 KiB, so that many workers have work and little is lost at the
+-- boundaries.
 stripsOf :: PixelShape -> Int -> [Rows]
 stripsOf shape bytes = go 0
   where
@@ -159,9 +162,8 @@ stripsOf shape bytes = go 0
       | row + rows >= height = [Rows row height Last]
       | otherwise = Rows row (row + rows) Inside : go (row + rows)
 
--- | A strip's check sum and its compressed bytes, as a chunk of their own: a
--- chunk's size has 31 bits, and whoever writes a huge picture need not wait for
--- its end to know it.
+-- | A strip's checksum and its compressed bytes, as a chunk of its own: a chunk's size
+-- has 31 bits, and a writer of a huge picture need not know the total size in advance.
 data Strip = Strip !Adler32 !ByteString
 
 compressedStrip :: Codes -> Rows -> Strip
@@ -179,7 +181,7 @@ compressedStrip codes (Rows from to place) = Strip (adler32 filtered) (strict (c
     eachRow pixels out act = Vector.unsafeWith (toPixelVector pixels) $ \start ->
       mapM_ (\i -> act (start `plusPtr` (rowBytes * (from + i))) (out `plusPtr` ((rowBytes + 1) * i))) [0 .. to - from - 1]
 
--- | Words of 16 bits with the higher byte first, as PNG has them.
+-- | Converts 16-bit words to the byte order of PNG, highest byte first.
 highFirst :: Int -> Ptr Word8 -> Ptr Word8 -> IO ()
 highFirst count from to = mapM_ swapped [0 .. count - 1]
   where
@@ -188,8 +190,8 @@ highFirst count from to = mapM_ swapped [0 .. count - 1]
       pokeByteOff to (2 * i) (fromIntegral (word `shiftR` 8) :: Word8)
       pokeByteOff to (2 * i + 1) (fromIntegral word :: Word8)
 
--- | @filterRow pixel size row out@: the filter's number, then every byte less
--- the one a pixel before it (modulo 256), eight at a time.
+-- | @filterRow pixel size row out@ writes the number of the filter, followed by every
+-- byte minus the byte one pixel before it (modulo 256), eight at a time.
 filterRow :: Int -> Int -> Ptr Word8 -> Ptr Word8 -> IO ()
 filterRow !pixel !size !row !out = do
   pokeByteOff out 0 (1 :: Word8)

@@ -1,10 +1,10 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | TIFF files (revision 6.0): uncompressed, which every program reads.
+-- | TIFF files, uncompressed so that every program can read them (revision 6.0).
 --
--- Programs take 16-bit TIFF for coded as on a display, so that is what is in it:
--- the developed picture, for editing without banding. 32-bit floating point is
--- understood as linear light, and is the film's own.
+-- Programs interpret 16-bit TIFF as display codes, so these files contain the developed
+-- picture, for editing without banding. Programs interpret 32-bit floating point as
+-- linear light, so these files contain the film's own light.
 module BlackHole.Image.Tiff
   ( TiffPixels (..),
     encodeTiff,
@@ -16,6 +16,7 @@ where
 
 import BlackHole.Image.Bytes
 import BlackHole.Image.Label
+import BlackHole.Image.Sphere
 import BlackHole.Render.Film (Film)
 import BlackHole.Render.PixelArray (PixelArray, pixelArrayShape, toPixelVector)
 import BlackHole.Render.PixelShape
@@ -33,16 +34,16 @@ import qualified Data.Vector.Storable as Vector
 import Data.Word (Word16, Word32, Word8)
 import Foreign.Storable (pokeByteOff)
 
--- | Three channels.
+-- | The pixels of a file, with three channels.
 data TiffPixels
-  = -- | Developed.
+  = -- | Developed codes.
     TiffCodes !(PixelArray Word16)
   | -- | Linear light.
     TiffLight !Film
 
--- | A little-endian RGB file with its label as the image's description. Pictures
--- of 4 GiB and more do not fit into the format: 'Nothing'. The rows are written
--- as they are consumed.
+-- | A little-endian RGB file with its label as the image description. 'Nothing' for
+-- pictures of 4 GiB or more, which the format cannot hold. The rows are produced
+-- lazily.
 encodeTiff :: Label -> TiffPixels -> Maybe Lazy.ByteString
 encodeTiff label pixels =
   (\header -> Builder.toLazyByteString (header <> tiffRows pixels)) <$> tiffHeader label bits (shapeWidth shape, shapeHeight shape)
@@ -51,14 +52,14 @@ encodeTiff label pixels =
       TiffCodes codes -> (pixelArrayShape codes, 16)
       TiffLight film -> (pixelArrayShape film, 32)
 
--- | The numbers' bytes of a band.
+-- | The bytes of a band's numbers.
 tiffRows :: TiffPixels -> Builder
 tiffRows pixels = case pixels of
   TiffCodes codes -> littleEndianRows 2 (pixelArrayShape codes) (toPixelVector codes)
   TiffLight film -> littleEndianRows 4 (pixelArrayShape film) (Vector.unsafeCast (toPixelVector film) :: Vector.Vector Word32)
 
--- | @tiffHeader label bits (width, height)@: everything before the numbers, of 16
--- bits (codes) or 32 (floating point).
+-- | @tiffHeader label bits (width, height)@ is everything before the pixels, for 16-bit
+-- codes or 32-bit floating point.
 tiffHeader :: Label -> Int -> (Int, Int) -> Maybe Builder
 tiffHeader label bits (width, height)
   | toInteger width * toInteger height * 3 * toInteger (bits `quot` 8) > 0xf0000000 = Nothing
@@ -72,10 +73,9 @@ tiffHeader label bits (width, height)
   where
     sampleFormat = if bits == 32 then 3 else 1
     dataSize = width * height * 3 * (bits `quot` 8)
-    -- In the order of tags.
+    -- In the order of their tags.
     entries =
-      sortOn
-        (\(tag, _, _, _) -> tag)
+      sortOn (\(tag, _, _, _) -> tag) $
         [ long 256 width,
           long 257 height,
           shorts 258 (replicate 3 bits),
@@ -93,6 +93,8 @@ tiffHeader label bits (width, height)
           ascii 305 (Characters.pack (labelSoftware label)),
           shorts 339 (replicate 3 sampleFormat)
         ]
+          ++ [(700, 1, fromIntegral (Bytes.length packet), padded packet) | Just packet <- [sphere]]
+    sphere = spherePacket label (width, height)
     shorts :: Word16 -> [Int] -> Entry
     long tag v = (tag, 4, 1, strict (Builder.word32LE (fromIntegral v)))
     shorts tag values = (tag, 3, fromIntegral (length values), strict (foldMap (Builder.word16LE . fromIntegral) values))
@@ -101,16 +103,19 @@ tiffHeader label bits (width, height)
     padded bytes = if odd (Bytes.length bytes) then Bytes.snoc bytes 0 else bytes
     heapStart = 8 + 2 + 12 * length entries + 4
     dataStart = heapStart + longTexts
-    -- The values too long for their entry; their sizes do not depend on where
-    -- they lie.
-    longTexts = 6 + 8 + 8 + 6 + sum [n | n <- map (Bytes.length . padded . (`Bytes.snoc` 0)) [labelText label, Characters.pack (labelSoftware label)], n > 4]
+    -- The values that do not fit into their entries. Their sizes do not depend on their
+    -- positions.
+    longTexts =
+      6 + 8 + 8 + 6
+        + sum [n | n <- map (Bytes.length . padded . (`Bytes.snoc` 0)) [labelText label, Characters.pack (labelSoftware label)], n > 4]
+        + maybe 0 (Bytes.length . padded) sphere
     placed = place heapStart entries
     place _ [] = []
     place at ((tag, kind, count, content) : rest)
       | Bytes.length content > 4 = (tag, kind, count, Builder.word32LE (fromIntegral at)) : place (at + Bytes.length content) rest
       | otherwise = (tag, kind, count, Builder.byteString (Bytes.take 4 (content <> Bytes.replicate 4 0))) : place at rest
 
--- | Every row's numbers, lowest byte first, made when it is wanted.
+-- | The numbers of every row, lowest byte first, produced lazily.
 littleEndianRows :: (Storable e, Integral e, Bits e) => Int -> PixelShape -> Vector.Vector e -> Builder
 littleEndianRows bytes shape numbers = foldMap (Builder.byteString . row) [0 .. shapeHeight shape - 1]
   where
@@ -127,10 +132,10 @@ littleEndianRows bytes shape numbers = foldMap (Builder.byteString . row) [0 .. 
        in go 0
 {-# INLINE littleEndianRows #-}
 
--- | Tag, type, count and the value's bytes.
+-- | Tag, type, count, and the bytes of the value.
 type Entry = (Word16, Word16, Word32, ByteString)
 
--- | The label of a TIFF file that this program wrote.
+-- | The label of a TIFF file written by this program.
 tiffLabel :: ByteString -> Maybe Label
 tiffLabel bytes = do
   _ <- Bytes.stripPrefix (Bytes.pack [0x49, 0x49, 42, 0]) bytes

@@ -1,11 +1,10 @@
--- | Bands of a huge picture in files of their own, until they are joined.
+-- | Tile files: bands of a huge picture in separate files, until they are joined.
 --
--- A tile file holds the linear light of some rows as 32-bit floating-point
--- numbers (least significant byte first), after a few lines of text that say
--- which rows of which scene they are, and before the SHA-256 of everything up to
--- there. Where pixels may have got different numbers of samples, these numbers
--- follow the light in the same way. Equal scenes have equal texts, so that files of different pictures can
--- be told apart.
+-- A tile file starts with several lines of text that identify the rows and the scene.
+-- The linear light of the rows follows, as 32-bit floating-point numbers in
+-- little-endian order. If pixels may have different numbers of samples, these numbers
+-- follow in the same format. The file ends with the SHA-256 of everything before. Equal
+-- scenes have equal texts, so files of different pictures can be told apart.
 module BlackHole.Image.TileFile
   ( TileHeader (..),
     tileRows,
@@ -41,23 +40,24 @@ import GHC.Float (castWord32ToFloat)
 import System.IO (IOMode (ReadMode), SeekMode (AbsoluteSeek), hFileSize, hSeek, withBinaryFile)
 import Text.Read (readMaybe)
 
--- | What a tile says of itself.
+-- | The description at the start of a tile.
 data TileHeader = TileHeader
   { tileShard :: !Shard,
     -- | Width and height of the whole picture.
     tilePicture :: !(Int, Int),
-    -- | Everything that the picture depends on, program version included, as
-    -- lines of text in UTF-8.
+    -- | Everything that the picture depends on, including the program's version, as
+    -- lines of UTF-8 text.
     tileScene :: !Bytes.ByteString
   }
   deriving (Eq, Show)
 
--- | The tile's first row and its number of rows.
+-- | The first row of the tile and its number of rows.
 tileRows :: TileHeader -> (Int, Int)
 tileRows header = shardRows (tileShard header) (snd (tilePicture header))
 
--- | The bytes of a tile file, of the samples' numbers if they are not all the same,
--- and the light; 'Nothing' if either has another size than the header's rows.
+-- | The bytes of a tile file, from the numbers of samples (if they differ between
+-- pixels) and the light; 'Nothing' if the size of either does not match the header's
+-- rows.
 encodeTile :: TileHeader -> Maybe SampleCounts -> Film -> Maybe Lazy.ByteString
 encodeTile header counts film
   | all ((== size) . sizeOf . pixelArrayShape) counts && sizeOf shape == size =
@@ -79,19 +79,19 @@ renderHeader (TileHeader shard (width, height) scene) counted =
 magic :: String
 magic = "blackhole tile 2"
 
--- | A tile file that has been looked at, and where its light begins.
+-- | A tile file whose header has been read, and the position of its light.
 data TileFile = TileFile
-  { -- | Where it is.
+  { -- | The path of the file.
     tileFilePath :: !FilePath,
-    -- | What it says of itself.
+    -- | The description at its start.
     tileFileHeader :: !TileHeader,
     tileFileStart :: !Integer,
-    -- | Whether it holds the samples' numbers.
+    -- | Whether it contains the numbers of samples.
     tileFileCounted :: !Bool
   }
 
--- | Look at a file. On the left, why it is no complete tile. Throws what the
--- file system says.
+-- | Opens a file. 'Left' holds the reason if it is not a complete tile. Throws the
+-- exceptions of the file system.
 openTile :: FilePath -> IO (Either String TileFile)
 openTile path = withBinaryFile path ReadMode $ \handle -> do
   start <- Bytes.hGet handle 256
@@ -125,8 +125,8 @@ openTile path = withBinaryFile path ReadMode $ \handle -> do
             else Just (part, (w, h), counted, sum (map ((+ 1) . Bytes.length) [m, t, p, c, s]), n)
       _ -> Nothing
 
--- | Whether the file's bytes are those that were written. Reads all of it, in
--- constant memory.
+-- | Whether the file's contents match their SHA-256. Reads the whole file in constant
+-- memory.
 tileIntact :: TileFile -> IO Bool
 tileIntact tile = withBinaryFile (tileFilePath tile) ReadMode $ \handle -> do
   size <- hFileSize handle
@@ -143,8 +143,8 @@ tileIntact tile = withBinaryFile (tileFilePath tile) ReadMode $ \handle -> do
               next `seq` go next (left - toInteger (Bytes.length chunk))
   go SHA256.init (size - 32)
 
--- | Some rows of the tile, counted from its own first one: from which, how many.
--- 'Nothing' if it has no such rows.
+-- | A band of the tile: the first row, counted from the tile's own, and the number of
+-- rows. 'Nothing' if the tile has no such rows.
 readTileRows :: TileFile -> (Int, Int) -> IO (Maybe Film)
 readTileRows tile (first, rows)
   | first < 0 || rows < 1 || first + rows > snd (tileRows header) = pure Nothing
@@ -157,7 +157,7 @@ readTileRows tile (first, rows)
     header = tileFileHeader tile
     (width, _) = tilePicture header
 
--- | So many numbers from a place behind the header on.
+-- | Reads this many numbers from a position after the header.
 readFloats :: TileFile -> Integer -> Int -> IO (Maybe (Vector.Vector Float))
 readFloats tile place count = withBinaryFile (tileFilePath tile) ReadMode $ \handle -> do
   hSeek handle AbsoluteSeek (tileFileStart tile + place)
@@ -168,8 +168,8 @@ readFloats tile place count = withBinaryFile (tileFilePath tile) ReadMode $ \han
       where
         at k = fromIntegral (unsafeIndex bytes (4 * i + k)) :: Word32
 
--- | How many samples the pixels of a row of the picture got, out of the tile that
--- holds it. 'Nothing' where no tile does or it does not say so.
+-- | The numbers of samples of the pixels in a row of the picture, from the tile that
+-- contains it. 'Nothing' if no tile contains the row or the tile does not record them.
 readCountsRow :: [TileFile] -> Int -> IO (Maybe (Vector.Vector Float))
 readCountsRow tiles row = case filter holds tiles of
   tile : _
@@ -181,9 +181,9 @@ readCountsRow tiles row = case filter holds tiles of
   where
     holds tile = let (from, rows) = tileRows (tileFileHeader tile) in row >= from && row < from + rows
 
--- | Some rows of the whole picture, from which and how many, out of the tiles
--- that hold them, which must be without faults ('joinFaults'). 'Nothing' if the
--- picture has no such rows, or a file has become shorter.
+-- | A band of the whole picture (first row and number of rows), from the tiles that
+-- contain it. The tiles must be free of 'joinFaults'. 'Nothing' if the picture has no
+-- such rows, or a file has become shorter.
 readPictureRows :: [TileFile] -> (Int, Int) -> IO (Maybe Film)
 readPictureRows tiles (first, rows) = do
   parts <- sequence <$> mapM part (sortOn (fst . tileRows . tileFileHeader) overlapping)
@@ -200,8 +200,8 @@ readPictureRows tiles (first, rows) = do
           start = max 0 (first - from)
        in readTileRows tile (start, min count (first + rows - from) - start)
 
--- | Everything for which tiles cannot be joined: none of them, tiles of another
--- picture than the first one's, parts that are there twice, parts that are not.
+-- | All reasons why tiles cannot be joined: there are none, a tile belongs to a
+-- different picture than the first, or a part is duplicated or missing.
 joinFaults :: [(FilePath, TileHeader)] -> [String]
 joinFaults [] = ["there are no tiles to join"]
 joinFaults tiles@((firstPath, first) : _)

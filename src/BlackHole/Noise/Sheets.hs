@@ -1,4 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
+-- Places and patterns are a dozen numbers, which go from caller to callee as they are,
+-- not through the heap.
+{-# OPTIONS_GHC -fmax-worker-args=24 #-}
 
 -- | Noise for thin layers: gradient noise in the plane whose octaves are tilted against
 -- each other in the third dimension.
@@ -133,14 +136,16 @@ weave (Sheets reals gradients) (Weave filaments bend growth) !count !v (Strand w
             !tiltV = indexPrimArray reals (3 * i + 2)
             !weight = if left >= 1 then amplitude else left * amplitude
             !bent = v + bend * total
-            strand part turns height = part * layer gradients first columns rows (scale * (8 * turns + tiltU * height)) (scale * (bent + tiltV * height))
-            !noise
-              | weight2 < 1e-6 = strand weight1 turns1 height1
-              | weight1 < 1e-6 = strand weight2 turns2 height2
-              | otherwise = strand weight1 turns1 height1 + strand weight2 turns2 height2
+            strand share turns height
+              | share < 1e-6 = 0
+              | otherwise = share * layer gradients first columns rows (scale * (8 * turns + tiltU * height)) (scale * (bent + tiltV * height))
+            {-# INLINE strand #-}
+            !noise1 = strand weight1 turns1 height1
+            !noise2 = strand weight2 turns2 height2
+            !noise = noise1 + noise2
             !part
-              | filaments == 0 || i == 0 || left <= 1 = noise
-              | otherwise = let q = filaments * min 1 (left - 1) in noise + q * (crest noise - noise)
+              | filaments == 0 || i == 0 || left <= 1.5 = noise
+              | otherwise = let q = filaments * min 1 (left - 1.5) in noise + q * (crest noise - noise)
          in go (i + 1) (left - 1) (first + 1 `unsafeShiftL` (columns + rows)) (2 * scale) $
               total + weight * max 0 (1 + growth * total) * part
 

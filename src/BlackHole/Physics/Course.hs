@@ -11,6 +11,7 @@ module BlackHole.Physics.Course
     Course,
     courseFromInfinity,
     courseFromCamera,
+    courseFromTable,
     courseFromPhoton,
     Sight (..),
     courseFate,
@@ -36,9 +37,12 @@ where
 
 import BlackHole.Physics.Angle
 import BlackHole.Physics.Bisection (bisect)
+import BlackHole.Physics.LensTable (lensSweep, lensTable)
 import BlackHole.Physics.Orbit
 import BlackHole.Physics.Photon
 import BlackHole.Physics.Redshift
+import BlackHole.Physics.Spacetime (Spacetime (Schwarzschild), pullOfGravity)
+import BlackHole.Physics.Sweep
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^), (^-^))
 import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Maybe (fromMaybe, mapMaybe)
@@ -155,6 +159,45 @@ courseFromCamera sight r (Radians psi) = do
   observed <- staticObserver r
   let path = orbit r (negate (withoutRounding (cos psi)) * sqrt ((r - 1) / r)) (sin (min psi (pi - psi)))
   pure (alongOrbit observed (sightPlane sight) r (pi - psi) path)
+
+-- | The line of sight of 'courseFromCamera' as the renderer follows it by default:
+-- along the table of paths for the camera's distance ("BlackHole.Physics.LensTable").
+-- Takes some ten milliseconds for the table.
+courseFromTable :: Sight -> Double -> Radians -> Maybe Course
+courseFromTable sight r (Radians psi) = do
+  closed <- courseFromCamera sight r (Radians psi)
+  let lapse = sqrt ((r - 1) / r)
+      Sweep ending angle cells waypoints = lensSweep (lensTable r) (negate (cos psi)) (sin (min psi (pi - psi)) / lapse)
+      spacing = angle / fromIntegral cells
+      inverse at =
+        let cell = max 0 (min (cells - 1) (floor (at / spacing)))
+            (u, slope) = waypoint waypoints spacing cell
+            path = expand (pullOfGravity Schwarzschild) u slope
+            offset = at - (fromIntegral cell + 0.5) * spacing
+         in (expansionValue path offset, expansionSlope path offset)
+      -- The renderer takes the direction from its sine and cosine.
+      swept = case ending of
+        Leaves c s -> let off = atan2 s c - angle in angle + off - 2 * pi * fromIntegral (round (off / (2 * pi)) :: Int)
+        _ -> angle
+      -- The closest point lies where the path turns from inward to outward.
+      turn
+        | snd (inverse 0) > 0 && snd (inverse angle) < 0 = Just (bisect ((> 0) . snd . inverse) 0 angle)
+        | otherwise = Nothing
+  pure $
+    if courseImpactParameter closed == 0
+      then closed
+      else
+        closed
+          { courseFate = case ending of
+              Leaves _ _ -> Escapes swept
+              FallsIn -> Captured angle
+              CirclesOn -> Circles,
+            courseClosestApproach = (1 /) . fst . inverse <$> turn,
+            courseDeflection = case ending of
+              Leaves _ _ -> Just (swept - (pi - psi))
+              _ -> Nothing,
+            courseInverse = inverse
+          }
 
 -- | The rest of a photon's path from its present position. The first argument is the
 -- observed frequency over the frequency at infinity. The deflection counts from the

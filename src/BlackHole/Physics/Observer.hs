@@ -50,9 +50,10 @@ data Observer
     CounterOrbiting
   | -- | Falling straight in from rest at infinity.
     Falling
-  | -- | The camera of the design report, which corresponds to no physical observer. It
-    -- interprets directions as coordinate directions, which makes the hole appear too
-    -- large, and it does not shift light.
+  | -- | The camera of the design report (Will Yager, "Accurately Rendering a Black
+    -- Hole"), which corresponds to no physical observer. It interprets directions as
+    -- coordinate directions, which makes the hole appear too large, and it does not
+    -- shift light.
     Coordinate
   deriving (Eq, Show, Read, Enum, Bounded)
 

@@ -133,7 +133,8 @@ followSwept space table region phase photon gather = start
               then cells n lead upper to next state
               else
                 let -- Where the path enters and leaves the gas's outer radius, if
-                    -- within the cell.
+                    -- within the cell. Newton's steps may end anywhere if the path only just fails to
+                    -- reach it.
                     !begin = if u0 < uOuter && slope0 > 0 then within t0 t1 (reaching path t0) else t0
                     !leaving = if u1 < uOuter && slope1 < 0 then within begin t1 (reaching path t1) else t1
                     !final = ofOneScale path begin leaving
@@ -156,7 +157,10 @@ followSwept space table region phase photon gather = start
                     -- continues into the next cell.
                     !limit = if final < leaving || upper < to && final >= t1 then 1 / 0 else final
                     !done = if final < leaving then middle + final else upper
-                 in if far
+                    -- Where the path turns back just outside the gas, Newton's steps
+                    -- find nothing.
+                    missed = u0 < uOuter && slope0 > 0 && expansionValue path begin < 0.98 * uOuter
+                 in if far || missed
                       then cells n lead upper to next state
                       else samples n begin (lead * turn) final limit turn path outward onward done middle to next state
 
@@ -174,8 +178,7 @@ followSwept space table region phase photon gather = start
       where
         step x = x + (uOuter - expansionValue path x) / expansionSlope path x
 
-    -- A path whose farthest point from the hole's rim of gas lies between the two ends,
-    -- just outside the gas, sends Newton's steps anywhere.
+    -- Where the path turns back just outside the gas, Newton's steps lead anywhere.
     within low high t
       | t > low = if t < high then t else high
       | otherwise = low

@@ -1,6 +1,6 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | The film: linear radiance of every pixel, and what a display shows of it.
+-- | The film: the linear radiance of every pixel, and its development for a display.
 module BlackHole.Render.Film
   ( Film,
     exposeFilm,
@@ -49,39 +49,40 @@ import System.Mem (performMajorGC)
 -- | Linear radiance in three channels, row by row from the top.
 type Film = PixelArray Float
 
--- | Trace every pixel of a scene; the callback hears how many rows are done.
--- The same for any number of workers. 'Nothing' if the scene is not valid.
+-- | Traces every pixel of a scene. The callback receives the number of finished rows.
+-- The result does not depend on the number of workers. 'Nothing' if the scene is not
+-- valid.
 exposeFilm :: Workers -> (Int -> IO ()) -> Scene -> IO (Maybe Film)
 exposeFilm = exposeFilmUnder Nothing
 
--- | The same with the picture of the sky if the scene's is a panorama
--- ('BlackHole.Trace.Sky.neededPicture'), without which it is 'Nothing'.
+-- | 'exposeFilm' with the environment map, for a scene that has one
+-- ('BlackHole.Trace.Sky.neededPicture'); without its map such a scene yields 'Nothing'.
 exposeFilmUnder :: Maybe SkyImage -> Workers -> (Int -> IO ()) -> Scene -> IO (Maybe Film)
 exposeFilmUnder picture workers progress scene =
   exposeRowsUnder picture workers progress scene (0, pictureHeight (scenePicture scene))
 
--- | The same for a band of the picture: its first row and its number of rows
--- (at least 1). The numbers are those that the whole film has there. 'Nothing'
--- also if the picture has no such rows.
+-- | 'exposeFilm' for a band of the picture: its first row and its number of rows (at
+-- least 1). The numbers equal those of the whole film. 'Nothing' also if the picture
+-- has no such rows.
 exposeRows :: Workers -> (Int -> IO ()) -> Scene -> (Int, Int) -> IO (Maybe Film)
 exposeRows = exposeRowsUnder Nothing
 
--- | The same with the picture of the sky if the scene's is a panorama.
+-- | 'exposeRows' with the environment map, for a scene that has one.
 exposeRowsUnder :: Maybe SkyImage -> Workers -> (Int -> IO ()) -> Scene -> (Int, Int) -> IO (Maybe Film)
 exposeRowsUnder picture crew progress scene band = fmap exposedLight <$> exposeCounted picture crew progress scene band
 
--- | How many samples each pixel got, in one channel.
+-- | The number of samples of each pixel, in one channel.
 type SampleCounts = PixelArray Float
 
--- | What was traced.
+-- | The result of tracing.
 data Exposed = Exposed
   { exposedLight :: !Film,
-    -- | 'Nothing' if every pixel got the scene's number.
+    -- | 'Nothing' if every pixel got the scene's number of samples.
     exposedCounts :: !(Maybe SampleCounts)
   }
 
--- | @countsRow scene exposed row@: the number of samples of each pixel in a row of
--- what was exposed of a scene, counted from the first one; none in other rows.
+-- | @countsRow scene exposed row@ is the number of samples of each pixel in a row,
+-- counted from the first exposed row; empty for other rows.
 countsRow :: Scene -> Exposed -> Int -> Vector Float
 countsRow scene (Exposed light counts) row
   | row < 0 || row >= shapeHeight (pixelArrayShape light) = Vector.replicate width 0
@@ -89,7 +90,7 @@ countsRow scene (Exposed light counts) row
   where
     width = shapeWidth (pixelArrayShape light)
 
--- | Some rows of a film, from which and how many, without copying.
+-- | A band of a film, given by its first row and its number of rows, without copying.
 filmRows :: Film -> (Int, Int) -> Maybe Film
 filmRows film (first, rows)
   | first < 0 || rows < 1 || first > shapeHeight shape - rows = Nothing
@@ -113,13 +114,14 @@ exposeCounted picture crew progress scene (first, rows)
   where
     Picture width height = scenePicture scene
 
--- | What 'exposeRows' does for adaptive sampling: the first samples of some rows,
--- then, as all their neighbours are known, the further ones of these rows, and on
--- to the next. So many rows at a time that the workers seldom wait for each other,
--- and that the sums of all samples need little memory in a large picture.
+-- | The work of 'exposeRows' for adaptive sampling: traces the first samples of some
+-- rows, then, once all their neighbours are known, the additional samples of these
+-- rows, and continues with the next rows. The number of rows at a time is a compromise:
+-- workers seldom wait for each other, and the sums of all samples need little memory in
+-- a large picture.
 refineRows :: Workers -> (Int -> IO ()) -> Tracer -> PixelShape -> Int -> IO (Maybe Exposed)
 refineRows crew progress traced shape first = do
-  -- All bands end here at once, not to be put together from copies.
+  -- All bands are written here directly, to avoid copies.
   light <- MVector.unsafeNew (shapeLength shape)
   counts <- MVector.unsafeNew (width * rows)
   let go from before
@@ -133,12 +135,12 @@ refineRows crew progress traced shape first = do
                 Nothing -> sumRow traced width (haloFirst + y) row
             band <- generateRows crew (progress . (from +) . half . (count +)) bandShape (refineRow traced width haloFirst sums . (first + from +))
             separate (toPixelVector band) (MVector.slice (3 * width * from) (3 * width * count) light) (MVector.slice (width * from) (width * count) counts)
-            -- The sums are the largest thing beside the film.
+            -- The sums are the largest object besides the film.
             when (from + count < rows) performMajorGC
             go (from + count) (Just (haloFirst, sums))
         where
           count = min 256 (rows - from)
-          -- Whether a pixel needs more samples is for its neighbours to say, too.
+          -- Neighbours also decide whether a pixel needs more samples.
           haloFirst = max 0 (first + from - 1)
           haloRows = min height (first + from + count + 1) - haloFirst
   go 0 Nothing
@@ -150,7 +152,7 @@ refineRows crew progress traced shape first = do
       countShape <- pixelShape width rows 1
       Exposed <$> fromPixelVector shape light <*> (Just <$> fromPixelVector countShape counts)
 
--- | Light and counts, which were made together.
+-- | Separates light and counts, which are computed together.
 separate :: Vector Float -> IOVector Float -> IOVector Float -> IO ()
 separate both light counts = go 0
   where
@@ -160,7 +162,7 @@ separate both light counts = go 0
       MVector.unsafeWrite counts i (Vector.unsafeIndex both (4 * i + 3))
       go (i + 1)
 
--- | Trace one row into its part of the film.
+-- | Traces one row into its part of the film.
 traceRow :: Tracer -> Int -> Int -> MVector s Float -> ST s ()
 traceRow traced !width !row pixels
   | sceneSamples scene == 1 && sceneIntegrator scene /= Leapfrogging = oneByOne 0
@@ -173,7 +175,7 @@ traceRow traced !width !row pixels
       writeRadiance pixels column (onlySample traced column row)
       oneByOne (column + 1)
 
--- | The first samples of three pixels from a column on; those beyond the width
+-- | The first samples of three pixels, starting at a column. Pixels beyond the width
 -- are not traced.
 firstSamples :: Tracer -> Int -> Int -> Int -> (Estimate, Estimate, Estimate)
 firstSamples traced width row column
@@ -186,7 +188,7 @@ firstSamples traced width row column
       | otherwise = noSamples
 {-# INLINE firstSamples #-}
 
--- | Do something for every pixel of a row, with its estimate, three by three.
+-- | Runs an action for every pixel of a row with its estimate, three pixels at a time.
 forThrees :: Int -> (Int -> (Estimate, Estimate, Estimate)) -> (Int -> Estimate -> ST s ()) -> ST s ()
 forThrees !width estimates act = go 0
   where
@@ -205,15 +207,15 @@ writeRadiance pixels column (Radiance r g b) = do
   MVector.unsafeWrite pixels (3 * column + 2) (realToFrac b)
 {-# INLINE writeRadiance #-}
 
--- | Keep the sums of the first samples of one row.
+-- | Stores the sums of the first samples of one row.
 sumRow :: Tracer -> Int -> Int -> MVector s Float -> ST s ()
 sumRow traced !width !row sums =
   forThrees width (firstSamples traced width row) $ \column estimate ->
     forSums estimate $ \k v ->
       MVector.unsafeWrite sums (sumCount * column + k) (realToFrac v)
 
--- | Finish one row, given the first sums and the number of their first row: light
--- in three channels, and the number of samples.
+-- | Finishes one row, from the first sums and the number of their first row: light in
+-- three channels, and the number of samples.
 refineRow :: Tracer -> Int -> Int -> PixelArray Float -> Int -> MVector s Float -> ST s ()
 refineRow traced !width !sumsFirst sums !row pixels = go 0
   where
@@ -232,14 +234,14 @@ refineRow traced !width !sumsFirst sums !row pixels = go 0
     first c = estimateFromSums (sceneSamples scene) (sumOf c row)
     uncertain c r = uncertainEstimate scene (sumOf c r seenPlace) (sumOf c r (seenPlace + 1))
 
--- | What an 8-bit sRGB display is told: exposure, tone map, coding and dither.
+-- | The codes for an 8-bit sRGB display, after exposure, tone map, coding and dither.
 developFilm :: Workers -> Exposure -> ToneMap -> Dither -> Film -> IO (PixelArray Word8)
 developFilm workers exposure tone dither = mapRows workers (developRow prepared dither)
   where
     !prepared = developer exposure tone
 
--- | The same of a few rows, without workers, the first of which has this number in
--- the whole film: the dither depends on the place.
+-- | 'developFilm' for a few rows, without workers. The number of the first row in the
+-- whole film is needed because the dither depends on the position.
 developedRows :: Developer -> Dither -> Int -> Film -> Maybe (PixelArray Word8)
 developedRows prepared dither first = convertedRows (developRow prepared dither . (first +))
 
@@ -262,7 +264,7 @@ developFilmFinely workers exposure tone = mapRows workers (const (developRowFine
   where
     !prepared = developer exposure tone
 
--- | The same of a few rows, without workers.
+-- | 'developFilmFinely' for a few rows, without workers.
 finelyDevelopedRows :: Developer -> Film -> Maybe (PixelArray Word16)
 finelyDevelopedRows prepared = convertedRows (const (developRowFinely prepared))
 
@@ -278,15 +280,15 @@ developRowFinely !prepared light codes = go 0
         MVector.unsafeWrite codes (i + 2) (fineCode b)
         go (i + 3)
 
--- | The radiance of the pixel in a column and a row; 'Nothing' outside.
+-- | The radiance of the pixel in a column and a row; 'Nothing' outside the film.
 filmRadiance :: Film -> Int -> Int -> Maybe Radiance
 filmRadiance film column row = (`radianceAt` 0) <$> pixelChannels film column row
 
--- | How many pixels hold a NaN or an infinity, and the column and row of the
--- first. There should be none: one is a fault of the program.
+-- | The number of pixels that contain a NaN or an infinity, and the column and row of
+-- the first. Any such pixel is a fault of the program.
 faultyPixels :: Workers -> Film -> IO (Int, Maybe (Int, Int))
 faultyPixels crew film = do
-  -- The rule, in a nanosecond a number.
+  -- The usual case, at a nanosecond per number.
   sound <- mapShared crew (pure . Vector.all (\v -> v - v == 0)) (slices light)
   pure (if and sound then (0, Nothing) else (Vector.length faulty, place <$> faulty Vector.!? 0))
   where
@@ -298,15 +300,15 @@ faultyPixels crew film = do
     light = toPixelVector film
     place i = let (row, column) = i `quotRem` shapeWidth (pixelArrayShape film) in (column, row)
 
--- | Three channels from an index on that the caller knows to be in range.
+-- | Three channels from an index that the caller knows to be in range.
 radianceAt :: Vector Float -> Int -> Radiance
 radianceAt light i = Radiance (at 0) (at 1) (at 2)
   where
     at k = realToFrac (Vector.unsafeIndex light (i + k))
 {-# INLINE radianceAt #-}
 
--- | Whether there is no light at all, as in much of the sky. Its codes are zero,
--- which is what arrays begin as.
+-- | Whether a pixel has no light at all, as in much of the sky. Its codes are zero,
+-- which is the initial value of arrays.
 isBlackAt :: Vector Float -> Int -> Bool
 isBlackAt light i = at 0 == 0 && at 1 == 0 && at 2 == 0
   where

@@ -1,4 +1,4 @@
--- | Numbers that accompany a picture, one of each kind for each pixel.
+-- | Additional layers of a picture: one number per pixel each.
 module BlackHole.Render.Layer
   ( Layers (..),
     noLayers,
@@ -12,23 +12,22 @@ import BlackHole.Trace.PixelGeometry
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as Vector
 
--- | Layers that are made row by row when they are written, so that none of them
--- is ever in memory as a whole. Where there is nothing to say of a pixel, its
--- number is NaN.
+-- | Layers that are computed row by row while they are written, so that no layer is
+-- ever in memory as a whole. A pixel without a value has NaN.
 data Layers = Layers
-  { -- | Up to 31 printable characters of ASCII each.
+  { -- | Names of up to 31 printable ASCII characters each.
     layerNames :: ![String],
-    -- | Every layer's numbers in a row of the picture, in the order of the names.
+    -- | The numbers of every layer in a row of the picture, in the order of the names.
     layerRow :: !(Int -> IO [Vector Float])
   }
 
--- | None.
+-- | No layers.
 noLayers :: Layers
 noLayers = Layers [] (const (pure []))
 
--- | @sceneLayers scene counts@: redshift, deflection and radius of
--- 'pixelGeometry', and the number of samples, which is for the sampler to say of
--- each row. 'Nothing' for a scene that cannot be traced.
+-- | @sceneLayers scene counts@ are redshift, deflection and radius of 'pixelGeometry',
+-- and the number of samples, which the caller provides for each row. 'Nothing' for a
+-- scene that cannot be traced.
 sceneLayers :: Scene -> (Int -> IO (Vector Float)) -> Maybe Layers
 sceneLayers scene counts = layers <$> pixelGeometry scene
   where

@@ -1,6 +1,7 @@
 {-# LANGUAGE RankNTypes #-}
 
--- | Reading arrays of pixels, and turning one into another row by row.
+-- | Access to rows of pixel arrays, and row-by-row conversion of one array into
+-- another.
 module BlackHole.Render.PixelRows
   ( pixelRow,
     pixelChannels,
@@ -19,8 +20,8 @@ import qualified Data.Vector.Storable as Vector
 import Data.Vector.Storable.Mutable (MVector)
 import qualified Data.Vector.Storable.Mutable as MVector
 
--- | The numbers of row @y@ (0 is the top one), width × channels of them,
--- without copying; 'Nothing' outside the array.
+-- | The numbers of row @y@ (0 is the top row), width × channels of them, without
+-- copying; 'Nothing' outside the array.
 pixelRow :: Storable e => PixelArray e -> Int -> Maybe (Vector e)
 pixelRow pixels y
   | y < 0 || y >= shapeHeight shape = Nothing
@@ -29,8 +30,8 @@ pixelRow pixels y
   where
     shape = pixelArrayShape pixels
 
--- | @pixelChannels pixels x y@: the channels of the pixel in column @x@ of row
--- @y@, both from 0 at the top left, without copying; 'Nothing' outside.
+-- | @pixelChannels pixels x y@ are the channels of the pixel in column @x@ of row @y@,
+-- both counted from 0 at the top left, without copying; 'Nothing' outside the array.
 pixelChannels :: Storable e => PixelArray e -> Int -> Int -> Maybe (Vector e)
 pixelChannels pixels x y
   | x < 0 || x >= shapeWidth shape = Nothing
@@ -38,10 +39,9 @@ pixelChannels pixels x y
   where
     shape = pixelArrayShape pixels
 
--- | @mapRows workers convert pixels@ makes an array of the same shape, each row
--- by @convert y old new@: row number, numbers to read, numbers to write. This
--- is how light becomes bytes. Threads and exceptions are those of
--- 'generateRows'.
+-- | @mapRows workers convert pixels@ is an array of equal shape whose rows are computed
+-- by @convert y old new@: row number, numbers to read, numbers to write. This turns
+-- light into codes. Threads and exceptions behave as in 'generateRows'.
 mapRows ::
   (Storable a, Storable b) =>
   Workers ->
@@ -52,8 +52,8 @@ mapRows crew convert pixels =
   generateRows crew (const (pure ())) (pixelArrayShape pixels) $ \y new ->
     for_ (pixelRow pixels y) $ \old -> convert y old new
 
--- | What 'mapRows' makes, without workers: for who is one himself and has a few rows
--- to convert.
+-- | The result of 'mapRows', computed on the caller's thread. For workers that convert
+-- a few rows themselves.
 convertedRows ::
   (Storable a, Storable b, Num b) =>
   (forall s. Int -> Vector a -> MVector s b -> ST s ()) ->

@@ -1,7 +1,7 @@
--- | The measures of an array of pixels and the order of its numbers.
+-- | The dimensions of a pixel array, and the order of its numbers.
 --
--- Pixels lie row after row, the top row first, each row from left to right;
--- the channels of one pixel lie next to each other.
+-- Pixels are stored row by row from the top, and each row from left to right. The
+-- channels of one pixel are adjacent.
 module BlackHole.Render.PixelShape
   ( PixelShape,
     pixelShape,
@@ -17,9 +17,8 @@ where
 data PixelShape = PixelShape !Int !Int !Int
   deriving (Eq, Ord, Show)
 
--- | @pixelShape width height channels@, or 'Nothing' if one of them is below 1
--- or an array of 64-bit numbers of this shape would have more bytes than an
--- 'Int' can count.
+-- | @pixelShape width height channels@; 'Nothing' if a dimension is below 1, or if the
+-- size in bytes of an array of 64-bit numbers of this shape would overflow an 'Int'.
 pixelShape :: Int -> Int -> Int -> Maybe PixelShape
 pixelShape width height channels
   | all (>= 1) [width, height, channels] && bytes <= toInteger (maxBound :: Int) =
@@ -28,22 +27,22 @@ pixelShape width height channels
   where
     bytes = 8 * product (map toInteger [width, height, channels])
 
--- | Pixels per row.
+-- | Number of pixels per row.
 shapeWidth :: PixelShape -> Int
 shapeWidth (PixelShape width _ _) = width
 
--- | Rows.
+-- | Number of rows.
 shapeHeight :: PixelShape -> Int
 shapeHeight (PixelShape _ height _) = height
 
--- | Numbers per pixel.
+-- | Number of channels per pixel.
 shapeChannels :: PixelShape -> Int
 shapeChannels (PixelShape _ _ channels) = channels
 
--- | Numbers per row: width × channels.
+-- | Number of array elements per row: width × channels.
 shapeRowLength :: PixelShape -> Int
 shapeRowLength (PixelShape width _ channels) = width * channels
 
--- | Numbers in all: width × height × channels.
+-- | Total number of array elements: width × height × channels.
 shapeLength :: PixelShape -> Int
 shapeLength (PixelShape width height channels) = width * height * channels

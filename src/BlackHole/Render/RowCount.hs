@@ -1,4 +1,4 @@
--- | Counting finished rows from many threads, and telling one listener.
+-- | Counts finished rows from many threads and reports them to one listener.
 module BlackHole.Render.RowCount (withRowCount) where
 
 import Control.Concurrent.Async (concurrently)
@@ -6,14 +6,13 @@ import Control.Concurrent.MVar (newEmptyMVar, takeMVar, tryPutMVar)
 import Control.Monad (void)
 import Data.IORef (atomicModifyIORef', newIORef, readIORef)
 
--- | @withRowCount total report work@ runs @work rowFinished@, where
--- @rowFinished@ may be called from any thread and never waits for @report@.
+-- | @withRowCount total report work@ runs @work rowFinished@, where @rowFinished@ may
+-- be called from any thread and never waits for @report@.
 --
--- @report@ is called by a single thread with strictly growing counts; while it
--- is busy, counts are skipped rather than queued. When the work ends normally,
--- having called @rowFinished@ @total@ times, the last count reported is
--- @total@. An exception of either side stops the other and is rethrown. No
--- thread is left behind in any case.
+-- A single thread calls @report@ with strictly increasing counts. While it is busy,
+-- counts are skipped rather than queued. If the work ends normally after calling
+-- @rowFinished@ @total@ times, the last reported count is @total@. An exception on
+-- either side stops the other and is rethrown. No thread outlives the call.
 withRowCount :: Int -> (Int -> IO ()) -> (IO () -> IO a) -> IO a
 withRowCount total report work = do
   finished <- newIORef 0

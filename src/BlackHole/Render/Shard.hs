@@ -1,4 +1,4 @@
--- | Parts of a film, or of a picture, for several processes or machines.
+-- | Parts of a film or of a picture for several processes or machines.
 module BlackHole.Render.Shard
   ( Shard (..),
     wholeShard,
@@ -20,11 +20,11 @@ data Shard = Shard
   }
   deriving (Eq, Ord, Show)
 
--- | All of it.
+-- | The single part of one.
 wholeShard :: Shard
 wholeShard = Shard 1 1
 
--- | Read @I\/N@ with 1 ≤ I ≤ N ≤ 1000000.
+-- | Parses @I\/N@ with 1 ≤ I ≤ N ≤ 1000000.
 parseShard :: String -> Maybe Shard
 parseShard text = case break (== '/') text of
   (i, '/' : n) -> do
@@ -36,15 +36,15 @@ parseShard text = case break (== '/') text of
     whole digits@(_ : _) | all isDigit digits && length digits <= 7 = readMaybe digits
     whole _ = Nothing
 
--- | As 'parseShard' reads it.
+-- | Formats a shard as 'parseShard' reads it.
 renderShard :: Shard -> String
 renderShard (Shard index count) = show index ++ "/" ++ show count
 
--- | The part of a task of a Slurm array job, from the variables that Slurm sets:
--- the first task takes part 1, and there are as many parts as tasks. A single
--- task, as in @sbatch --array=7@, takes all: it is how a lost one is submitted
--- again, and what the others have finished is not rendered twice. On the left,
--- why there is no such part: not an array job, or an array with gaps.
+-- | The shard of a task of a Slurm array job, from the variables that Slurm sets: the
+-- first task takes part 1, and there are as many parts as tasks. A single task, as in
+-- @sbatch --array=7@, takes everything. That is how a user submits a lost task again;
+-- frames that others have finished are not rendered twice. 'Left' holds the reason if
+-- there is no shard: not an array job, or an array with gaps.
 slurmShard :: (String -> Maybe String) -> Either String Shard
 slurmShard variable = do
   task <- number "SLURM_ARRAY_TASK_ID"
@@ -64,19 +64,19 @@ slurmShard variable = do
       Nothing -> Left (name ++ " is not set: this is no task of a Slurm array job (sbatch --array=1-8 …)")
       Just text -> maybe (Left (name ++ " is '" ++ text ++ "', which is not a whole number")) Right (readMaybe text)
 
--- | The shard's members of a list: every n-th, so that a film's slow passages
--- are spread over all parts.
+-- | The shard's members of a list: every n-th, which spreads the slow passages of a
+-- film over all parts.
 takeShard :: Shard -> [a] -> [a]
 takeShard (Shard index count) = go . drop (index - 1)
   where
     go [] = []
     go (x : rest) = x : go (drop (count - 1) rest)
 
--- | The rows of a picture of some height that are the shard's: the first one and
--- how many. Bands of all shards lie one below the other without gaps, and differ
--- by one row at most; with more shards than rows some are empty.
+-- | The rows of a picture of a given height that belong to the shard: the first row and
+-- their number. The bands of all shards are adjacent and differ by at most one row;
+-- with more shards than rows some are empty.
 shardRows :: Shard -> Int -> (Int, Int)
 shardRows (Shard index count) height = (edge (index - 1), edge index - edge (index - 1))
   where
-    -- In whole numbers that no picture makes overflow.
+    -- In unbounded integers, so that no picture causes an overflow.
     edge i = fromInteger (toInteger i * toInteger height `quot` toInteger count)

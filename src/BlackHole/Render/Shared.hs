@@ -1,4 +1,4 @@
--- | Independent pieces of work, shared by the workers.
+-- | Independent pieces of work, distributed over the workers.
 module BlackHole.Render.Shared (mapShared) where
 
 import BlackHole.Render.Workers (Workers, onWorkers)
@@ -8,10 +8,10 @@ import Data.IORef (atomicModifyIORef', newIORef)
 import qualified Data.Vector as Boxed
 import qualified Data.Vector.Mutable as Mutable
 
--- | @mapShared workers work pieces@: the results of @work@, evaluated to their
--- outermost constructor, in the order of the pieces for any number of workers.
--- Each worker takes the next piece as soon as it is free. An exception stops
--- all of them and is rethrown.
+-- | @mapShared workers work pieces@ returns the results of @work@, evaluated to weak
+-- head normal form, in the order of the pieces for any number of workers. Each worker
+-- takes the next piece as soon as it is free. An exception stops all of them and is
+-- rethrown.
 mapShared :: Workers -> (a -> IO b) -> [a] -> IO [b]
 mapShared crew work pieces = do
   results <- Mutable.new count

@@ -1,4 +1,4 @@
--- | How many threads share a rendering.
+-- | The number of threads that share a rendering.
 module BlackHole.Render.Workers
   ( Workers,
     workers,
@@ -22,17 +22,17 @@ import GHC.Conc (getNumProcessors)
 newtype Workers = Workers Int
   deriving (Eq, Ord, Show)
 
--- | The number as 'Workers', or 'Nothing' outside 1 … 'maximumWorkers'.
+-- | The number as 'Workers'; 'Nothing' outside 1 to 'maximumWorkers'.
 workers :: Int -> Maybe Workers
 workers n
   | n >= 1 && n <= maximumWorkers = Just (Workers n)
   | otherwise = Nothing
 
--- | How many threads these are, 1 … 'maximumWorkers'.
+-- | The number of threads, 1 to 'maximumWorkers'.
 workersCount :: Workers -> Int
 workersCount (Workers n) = n
 
--- | 256: GHC's run-time system from 9.8 on is built for no more processors.
+-- | 256, because GHC's run-time system supports no more processors from version 9.8 on.
 maximumWorkers :: Int
 maximumWorkers = 256
 
@@ -40,18 +40,18 @@ maximumWorkers = 256
 oneWorker :: Workers
 oneWorker = Workers 1
 
--- | One worker for each processor this process may run on.
+-- | One worker for each processor that this process may use.
 defaultWorkers :: IO Workers
 defaultWorkers = Workers . max 1 . min maximumWorkers <$> getNumProcessors
 
--- | Run an action with as many processors in use as the workers can fill, and
--- put the former number back afterwards, also after an exception.
+-- | Runs an action with as many processors in use as the workers can fill, and restores
+-- the former number afterwards, even after an exception.
 --
--- Never more than the machine has: the collector's threads wait for each other
--- in a spin, so that surplus ones slow everything down, while surplus workers
--- merely take turns. Does nothing in a program linked without @-threaded@.
--- The number belongs to the whole process, so uses in several threads at once
--- overwrite each other (which costs speed alone).
+-- The number never exceeds that of the machine: the collector's threads wait for each
+-- other in a spin lock, so surplus ones slow everything down, whereas surplus workers
+-- merely take turns. Does nothing in a program linked without @-threaded@. The number
+-- belongs to the whole process, so concurrent uses overwrite each other, which affects
+-- only speed.
 withWorkers :: Workers -> IO a -> IO a
 withWorkers (Workers wanted) action
   | rtsSupportsBoundThreads = do
@@ -66,13 +66,13 @@ withWorkers (Workers wanted) action
       current <- getNumCapabilities
       when (current /= n) $ setNumCapabilities n
 
--- | @onWorkers workers most act@: run an action at the same time on each of the
--- workers, but at most on so many, until all are done. An exception in one of them,
--- or to the caller, stops the others and is rethrown.
+-- | @onWorkers workers most act@ runs an action concurrently on each of the workers,
+-- but on at most @most@ of them, until all are done. An exception in one of them, or
+-- thrown to the caller, stops the others and is rethrown.
 --
--- Each begins on a processor of its own. Left to the run-time system, the second
--- waits on the first one's processor until that has time to give it away, which
--- can take ten milliseconds.
+-- Each worker starts on a processor of its own. Left to the run-time system, the second
+-- one waits on the first one's processor until that has time to hand it over, which can
+-- take ten milliseconds.
 onWorkers :: Workers -> Int -> IO () -> IO ()
 onWorkers (Workers wanted) most act = mask $ \restore -> do
   running <- mapM (`asyncOn` restore act) [0 .. min wanted most - 1]

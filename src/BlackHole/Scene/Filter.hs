@@ -1,4 +1,4 @@
--- | How the samples around a pixel make up its value.
+-- | Reconstruction filters: the weights of the samples around a pixel.
 module BlackHole.Scene.Filter
   ( Filter (..),
     filterName,
@@ -9,14 +9,14 @@ where
 data Filter
   = -- | The mean over the pixel's own square.
     Box
-  | -- | A Gaussian of standard deviation 1\/2, cut off at a distance of 3\/2.
+  | -- | A Gaussian with a standard deviation of 1\/2, cut off at a distance of 3\/2.
     Gaussian
-  | -- | The cubic of Mitchell and Netravali (1988) with B = C = 1\/3, of radius 2:
-    -- its negative lobes keep edges crisp.
+  | -- | The cubic of Mitchell and Netravali (1988) with B = C = 1\/3 and radius 2. Its
+    -- negative lobes keep edges sharp.
     Mitchell
   deriving (Eq, Show, Read, Enum, Bounded)
 
--- | The name on the command line.
+-- | The filter's name on the command line.
 filterName :: Filter -> String
 filterName f = case f of
   Box -> "box"

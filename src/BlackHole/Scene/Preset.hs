@@ -37,15 +37,15 @@ data Preset = Preset
 -- | All of them, the default first.
 describedPresets :: [Preset]
 describedPresets =
-  [ Preset "default" "a wide disk of glowing gas, seen from a little above its plane by somebody at rest" defaultScene,
-    Preset "report" "the picture of the design report's author, with its camera, gas, stars and leapfrog" reportScene,
-    Preset "interstellar" "the look of the film of 2014: a thin bright disk without Doppler shift or redshift" interstellarScene,
-    Preset "edge-on" "the disk from within a degree of its plane" (seenFrom 89 defaultScene),
-    Preset "face-on" "the disk from above its pole" (seenFrom 4 defaultScene),
-    Preset "luminet" "Luminet's picture of 1979: a thin opaque disk in the light of all wavelengths, without colour" luminetScene,
-    Preset "lens-only" "no gas, only the bent sky" defaultScene {sceneDisk = Nothing, sceneExposure = Exposure 1.5},
-    Preset "photon-ring" "a close look at the rings of light that has gone round the hole" photonRingScene,
-    Preset "falling" "the view of somebody who falls in and has come to r = 2.6" fallingScene
+  [ Preset "default" "a wide disk of glowing gas, seen by an observer at rest above its plane" defaultScene,
+    Preset "report" "the picture of the design report, with its observer, gas, stars and leapfrog integration" reportScene,
+    Preset "interstellar" "the look of the film Interstellar (2014): a thin bright disk without Doppler shift or redshift" interstellarScene,
+    Preset "edge-on" "the disk seen from within a degree of its plane" (seenFrom 89 40 defaultScene),
+    Preset "face-on" "the disk seen from near its pole" (seenFrom 12 56 defaultScene),
+    Preset "luminet" "Luminet's picture of 1979: a thin opaque disk, its intensity over all wavelengths, without colour" luminetScene,
+    Preset "lens-only" "no disk, only the sky distorted by the hole" defaultScene {sceneDisk = Nothing, sceneSky = SkyStars realSky {realSkyRotation = Degrees (-6), realSkyMilkyWay = 3}, sceneExposure = Exposure 2.5},
+    Preset "photon-ring" "a close-up of the rings formed by light that has gone around the hole" photonRingScene,
+    Preset "falling" "the view of an observer falling into the hole, at r = 2.6" fallingScene
   ]
 
 -- | The names, the default first.
@@ -56,41 +56,40 @@ presetNames = map fst presets
 findPreset :: String -> Maybe Scene
 findPreset name = lookup name presets
 
--- | The default's distance, from another angle to the disk's axis.
-seenFrom :: Double -> Scene -> Scene
-seenFrom inclination scene =
+-- | The default's distance, from another angle to the disk's axis and with another
+-- field of view, both in degrees.
+seenFrom :: Double -> Double -> Scene -> Scene
+seenFrom inclination fieldOfView scene =
   scene
     { sceneCamera =
         (sceneCamera scene)
-          { cameraPose = Around 30 (Degrees inclination) (Degrees 90),
+          { cameraPose = Around 50 (Degrees inclination) (Degrees 90),
             cameraRoll = Degrees 0,
-            cameraFieldOfView = Degrees 64
+            cameraFieldOfView = Degrees fieldOfView
           }
     }
 
 interstellarScene :: Scene
 interstellarScene =
   defaultScene
-    { sceneCamera = Camera (Around 34 (Degrees 86) (Degrees 90)) (Degrees (-6)) (Degrees 46),
+    { sceneCamera = Camera (Around 50 (Degrees 86) (Degrees 90)) (Degrees (-4)) (Degrees 40),
       sceneDisk =
         Just
           defaultDisk
-            { diskThickness = 0.14,
-              diskOpacity = 1.6,
-              diskBrightness = 1.1,
+            { diskThickness = 0.1,
+              diskBrightness = 1.3,
               diskArms = 0,
-              diskTurbulence = 2.6,
-              diskTurbulenceFrequency = 20,
-              diskColour = BlackBody 5200
+              diskTurbulenceFrequency = 18,
+              diskColour = BlackBody 3200
             },
       sceneShifts = Shifts False False,
-      sceneBloom = 0.03
+      sceneBloom = 0.05
     }
 
 luminetScene :: Scene
 luminetScene =
   defaultScene
-    { sceneCamera = Camera (Around 30 (Degrees 80) (Degrees 90)) (Degrees 0) (Degrees 62),
+    { sceneCamera = Camera (Around 60 (Degrees 80) (Degrees 90)) (Degrees 0) (Degrees 42),
       sceneDisk =
         Just
           defaultDisk
@@ -101,15 +100,17 @@ luminetScene =
               diskBrightness = 1,
               diskArms = 0,
               diskTurbulence = 0,
+              diskHaze = 0,
               diskColour = Bolometric
             },
+      sceneBloom = 0,
       sceneSky = SkyNone
     }
 
 photonRingScene :: Scene
 photonRingScene =
   defaultScene
-    { sceneCamera = Camera (LookAt (XYZ 0 5.2 29.5) (XYZ 2.1 1.75 0)) (Degrees 0) (Degrees 2.4)
+    { sceneCamera = Camera (LookAt (XYZ 0 5.2 29.5) (XYZ 0 1.3 0)) (Degrees 0) (Degrees 13)
     }
 
 fallingScene :: Scene
@@ -120,39 +121,42 @@ fallingScene =
       sceneExposure = Exposure (-3)
     }
 
--- | A wide disk seen from a little above its plane by somebody at rest.
+-- | A wide disk seen from above its plane by an observer at rest. All of it is in the
+-- frame, also at a field of view of 40 degrees.
 defaultScene :: Scene
 defaultScene =
   Scene
     { scenePicture = Picture 1920 1080,
       sceneCamera =
         Camera
-          { cameraPose = Around 30 (Degrees 82) (Degrees 90),
-            cameraRoll = Degrees (-12),
-            cameraFieldOfView = Degrees 50
+          { cameraPose = Around 54 (Degrees 77) (Degrees 90),
+            cameraRoll = Degrees (-8),
+            cameraFieldOfView = Degrees 40
           },
+      sceneProjection = Perspective,
       sceneObserver = Static,
       sceneSpacetime = Schwarzschild,
       sceneIntegrator = Tabulated,
       sceneStep = 0.1,
       sceneDisk = Just defaultDisk,
-      sceneSky = SkyStars realSky,
+      -- A Milky Way that can be seen beside the glowing gas.
+      sceneSky = SkyStars realSky {realSkyMilkyWay = 1.2},
       sceneShifts = Shifts True True,
       sceneDebugTextures = False,
       sceneSamples = 4,
-      sceneNoise = 0.02,
+      sceneNoise = 0.04,
       sceneMostSamples = 64,
       sceneFilter = Gaussian,
       sceneExposure = Exposure 0,
       sceneToneMap = ToneFilm,
       sceneDither = BlueNoise,
-      sceneBloom = 0,
+      sceneBloom = 0.03,
       sceneSeed = 0
     }
 
--- | The picture of the report's author: its camera, gas, stars and steps.
--- Its picture plane is one unit high at unit distance, so at 16:9 the field of
--- view is 2·atan(8/9) across the width.
+-- | The picture of the report's author: gas, stars, observer and steps of the report,
+-- framed closer. The report's own picture plane is one unit high at unit distance; a
+-- field of view of 2·atan(8/9) = 83.2674° shows it.
 reportScene :: Scene
 reportScene =
   defaultScene
@@ -161,7 +165,7 @@ reportScene =
         Camera
           { cameraPose = LookAt (XYZ 0 5 25) (XYZ 0 0 0),
             cameraRoll = Degrees 0,
-            cameraFieldOfView = Degrees 83.2674
+            cameraFieldOfView = Degrees 40
           },
       sceneObserver = Coordinate,
       sceneIntegrator = Leapfrogging,
@@ -172,5 +176,6 @@ reportScene =
       sceneFilter = Box,
       sceneExposure = Exposure (-1.2),
       sceneToneMap = ToneNone,
-      sceneDither = NoDither
+      sceneDither = NoDither,
+      sceneBloom = 0
     }

@@ -1,6 +1,8 @@
--- | What is wrong with a value that somebody gave.
+-- | What is wrong with a value or a combination of values that the user gave.
 module BlackHole.Scene.Problem
   ( Problem (..),
+    problemOption,
+    problemValue,
     renderProblem,
     nearest,
     suggestion,
@@ -10,34 +12,50 @@ where
 import Data.Char (toLower)
 import Data.List (sortOn)
 
--- | A bad value: where it was given, what it is, and what is allowed there.
-data Problem = Problem
-  { -- | The option, or the scene file, its line and the setting's path.
-    problemOption :: !String,
-    problemValue :: !String,
-    problemRange :: !String
-  }
+-- | A mistake in the input. The first argument says where it is: the option, or the
+-- setting's path.
+data Problem
+  = -- | A value outside its range: where it was given, the value, and what is
+    -- allowed, as a noun phrase.
+    Problem !String !String !String
+  | -- | Anything else, such as two options that exclude each other: where, and one
+    -- clause that says what is wrong.
+    Mistake !String !String
   deriving (Eq, Show)
 
--- | One line for people.
-renderProblem :: Problem -> String
-renderProblem (Problem option value range) =
-  option ++ ": " ++ value ++ " is not " ++ range
+-- | The option or setting that the problem is about.
+problemOption :: Problem -> String
+problemOption problem = case problem of
+  Problem option _ _ -> option
+  Mistake option _ -> option
 
--- | The candidate most like a mistyped word, if one is near enough for the
--- difference to be a slip: at most a third of its letters. Quadratic in the
--- words' lengths, of which no more than 64 letters count.
+-- | The value that is out of range; for a 'Mistake', its clause.
+problemValue :: Problem -> String
+problemValue problem = case problem of
+  Problem _ value _ -> value
+  Mistake _ clause -> clause
+
+-- | The problem as one line.
+renderProblem :: Problem -> String
+renderProblem problem = case problem of
+  Problem option value range -> option ++ ": " ++ value ++ " is not " ++ range
+  Mistake option clause -> option ++ ": " ++ clause
+
+-- | The candidate closest to a mistyped word, if their edit distance is at most about
+-- a third of the candidate's length, and is not 0. Only the first 64 letters of the
+-- word count. Takes time proportional to the product of the two lengths.
 nearest :: String -> [String] -> Maybe String
 nearest word candidates =
   case sortOn fst [(editDistance (map toLower (take 64 word)) c, c) | c <- candidates] of
     (d, best) : _ | d > 0 && 3 * d <= length best + 1 -> Just best
     _ -> Nothing
 
--- | @\" (did you mean width?)\"@ for a slip, nothing for anything else.
+-- | @\" (did you mean width?)\"@ if there is a 'nearest' candidate, otherwise empty.
 suggestion :: String -> [String] -> String
 suggestion word = maybe "" (\n -> " (did you mean " ++ n ++ "?)") . nearest word
 
--- | Insertions, deletions and replacements between two words.
+-- | The number of insertions, deletions and replacements from one word to the other
+-- (Levenshtein 1966).
 editDistance :: String -> String -> Int
 editDistance a b = lastOr 0 (foldl row [0 .. length b] a)
   where

@@ -1,4 +1,4 @@
--- | Everything that determines a picture, in one record.
+-- | The record of everything that determines a picture.
 module BlackHole.Scene.Scene
   ( Scene (..),
     Integrator (..),
@@ -15,74 +15,76 @@ import BlackHole.Physics.Leapfrog
 import BlackHole.Physics.LightPath (Region, emptyRegion)
 import BlackHole.Physics.Observer (Observer)
 import BlackHole.Physics.Spacetime (Spacetime)
-import BlackHole.Scene.Camera (Camera, Picture)
+import BlackHole.Scene.Camera (Camera, Picture, Projection)
 import BlackHole.Scene.Disk
 import BlackHole.Scene.Filter (Filter)
 import BlackHole.Scene.Shifts (Shifts)
 import BlackHole.Scene.Sky (Sky)
 import Data.Word (Word64)
 
--- | A scene: equal scenes give equal bytes.
+-- | A scene. Equal scenes give equal bytes.
 data Scene = Scene
   { scenePicture :: !Picture,
     sceneCamera :: !Camera,
+    sceneProjection :: !Projection,
     sceneObserver :: !Observer,
     sceneSpacetime :: !Spacetime,
     sceneIntegrator :: !Integrator,
-    -- | The leapfrog's base length @l₀@ in Schwarzschild radii.
+    -- | The base length @l₀@ of the leapfrog in Schwarzschild radii.
     sceneStep :: !Double,
     -- | The gas, if there is any.
     sceneDisk :: !(Maybe Disk),
     sceneSky :: !Sky,
-    -- | The shifts of frequency that are shown.
+    -- | The frequency shifts that are shown.
     sceneShifts :: !Shifts,
-    -- | Parity checks instead of gas and sky.
+    -- | Checkerboards instead of gas and sky.
     sceneDebugTextures :: !Bool,
     -- | Rays per pixel.
     sceneSamples :: !Int,
-    -- | The uncertainty of a pixel, as a part of white, beyond which it gets more
-    -- rays than that; 0 for never.
+    -- | The uncertainty of a pixel, as a fraction of display white, above which it gets
+    -- more rays; 0 turns this off.
     sceneNoise :: !Double,
-    -- | The most rays that a pixel gets then.
+    -- | The most rays that such a pixel gets.
     sceneMostSamples :: !Int,
     sceneFilter :: !Filter,
     sceneExposure :: !Exposure,
     sceneToneMap :: !ToneMap,
-    -- | Whether codes of 8 bits are dithered.
+    -- | Whether 8-bit codes are dithered.
     sceneDither :: !Dither,
-    -- | The part of the light that the lens scatters, 0…1.
+    -- | The fraction of the light that the lens scatters, 0 to 1.
     sceneBloom :: !Double,
-    -- | Seed of all noise and of the sampling.
+    -- | The seed of all noise and of the sampling.
     sceneSeed :: !Word64
   }
   deriving (Eq, Show)
 
--- | The ways to follow light.
+-- | The ways to compute light paths.
 data Integrator
-  = -- | Along the closed form of the orbit, tabulated for the camera's place:
-    -- the same to 1e-5 Schwarzschild radii.
+  = -- | Along the closed form of the orbit, tabulated for the camera's position, within
+    -- 1e-5 Schwarzschild radii of it.
     Tabulated
   | -- | Along the closed form itself, with finer steps through the gas.
     Exact
-  | -- | The report's leapfrog.
+  | -- | With the leapfrog of the design report (Will Yager, "Accurately Rendering a
+    -- Black Hole").
     Leapfrogging
   deriving (Eq, Show, Read, Enum, Bounded)
 
--- | The name on the command line.
+-- | The integrator's name on the command line.
 integratorName :: Integrator -> String
 integratorName Tabulated = "table"
 integratorName Exact = "exact"
 integratorName Leapfrogging = "leapfrog"
 
--- | The leapfrog's settings. Its steps follow the thickness of the disk; with
--- no disk there is nothing to be fine for.
+-- | The settings of the leapfrog. Its steps follow the thickness of the disk; without a
+-- disk no fine steps are needed.
 sceneLeapfrog :: Scene -> Leapfrog
 sceneLeapfrog scene =
   defaultLeapfrog {leapfrogSteps = ReportSteps (sceneStep scene) thickness}
   where
     thickness = maybe 1e-9 diskThickness (sceneDisk scene)
 
--- | Where there can be gas; empty without a disk.
+-- | The region in which there can be gas; empty without a disk.
 sceneRegion :: Scene -> Region
 sceneRegion scene = maybe emptyRegion (diskRegion fineness) (sceneDisk scene)
   where
@@ -91,7 +93,7 @@ sceneRegion scene = maybe emptyRegion (diskRegion fineness) (sceneDisk scene)
       Exact -> Fine
       Leapfrogging -> Fine
 
--- | The most rays that any pixel can get. A single one tells nothing about its
+-- | The most rays that any pixel can get. A single ray says nothing about a pixel's
 -- uncertainty.
 mostSamples :: Scene -> Int
 mostSamples scene

@@ -1,30 +1,36 @@
--- | Values for fields, and scenes made of them.
+-- | Values for settings, and the scenes that result from them.
 module BlackHole.Scene.Setting
   ( Setting (..),
     applySettings,
     sceneSettings,
-    withoutEffect,
+
+    -- * Settings without effect
+    Idle (..),
+    idleSettings,
+    Naming (..),
+    renderIdle,
   )
 where
 
+import BlackHole.Scene.Field.Condition
 import BlackHole.Scene.Field.Field
-import BlackHole.Scene.Field.Kind (Value)
+import BlackHole.Scene.Field.Kind (Value (..), showValue)
 import BlackHole.Scene.Field.Table
 import BlackHole.Scene.Scene
 import Data.List (find)
-import Data.Maybe (mapMaybe)
+import Data.Maybe (isNothing, mapMaybe)
 
--- | A value for a field.
+-- | A value for a setting.
 data Setting = Setting
-  { -- | The field's path.
+  { -- | The setting's path.
     settingPath :: !String,
     settingValue :: !Value
   }
   deriving (Eq, Show)
 
--- | A scene with settings applied to it, in the order of the table: the order
--- of the list makes no difference, but of two settings of one field the last
--- counts. Settings of fields that the scene does not have are passed over.
+-- | A scene with settings applied to it in the order of the table, whatever the order
+-- of the list. If two settings have the same path, the later one counts. Settings
+-- that the scene has no place for change nothing.
 applySettings :: [Setting] -> Scene -> Scene
 applySettings settings scene = foldl apply scene sceneFields
   where
@@ -33,18 +39,61 @@ applySettings settings scene = foldl apply scene sceneFields
       Just setting -> fieldSet field (settingValue setting) s
       Nothing -> s
 
--- | Every setting of a scene. Applied to any scene whatever they make this one.
+-- | Every setting of a scene. Applied to any other scene, they turn it into this one.
 sceneSettings :: Scene -> [Setting]
 sceneSettings scene = mapMaybe setting sceneFields
   where
     setting field = Setting (fieldPath field) <$> fieldGet field scene
 
--- | Those of the settings (one for each field at most) that do not show in the
--- scene they are applied to, each with another one that is to blame, if taking
--- away a single one helps. Quadratic in the number of settings.
-withoutEffect :: Scene -> [Setting] -> [(Setting, Maybe Setting)]
-withoutEffect scene settings =
-  [(s, find (blamed s) settings) | s <- settings, not (s `shownBy` applySettings settings scene)]
+-- | A setting that has no effect.
+data Idle = Idle
+  { idleSetting :: !Setting,
+    -- | Whether the scene keeps its value nevertheless, in case the condition holds
+    -- later.
+    idleKept :: !Bool,
+    -- | Another setting that is to blame: without it, this one would have an effect.
+    idleCulprit :: !(Maybe Setting),
+    -- | What the setting needs to have an effect.
+    idleCondition :: !(Maybe Condition)
+  }
+
+-- | Those of the settings (at most one for each path) that have no effect on the
+-- picture of the scene they are applied to. Takes time proportional to the square of
+-- the number of settings.
+idleSettings :: Scene -> [Setting] -> [Idle]
+idleSettings scene settings =
+  [ Idle s (shown s made) (find (blamed s) settings) (unmetCondition made (settingPath s))
+    | s <- settings,
+      not (effective s made)
+  ]
   where
-    blamed s other = other /= s && s `shownBy` applySettings (filter (/= other) settings) scene
-    shownBy s made = (findField (settingPath s) >>= (`fieldGet` made)) == Just (settingValue s)
+    made = applySettings settings scene
+    blamed s other = other /= s && effective s (applySettings (filter (/= other) settings) scene)
+    effective s result = shown s result && isNothing (unmetCondition result (settingPath s))
+    shown s result = (findField (settingPath s) >>= (`fieldGet` result)) == Just (settingValue s)
+
+-- | What to call a setting in a message.
+data Naming
+  = -- | By its option, if it has one.
+    AsOption
+  | -- | By its path.
+    InFile
+  deriving (Eq, Show)
+
+-- | One line that says that a setting has no effect, and why.
+renderIdle :: Naming -> Idle -> String
+renderIdle naming (Idle (Setting path value) _ culprit condition) =
+  name path ++ ": " ++ showValue value ++ " has no effect" ++ maybe alone besides culprit
+  where
+    besides other = " with " ++ assigned other ++ (if isSwitch (settingValue other) then "" else foldMap needed condition)
+    alone = maybe " in this scene" needed condition
+    needed c = "; it applies only with " ++ name (conditionPath c) ++ " " ++ conditionNeeds c
+    name p = case (naming, findField p >>= fieldOption) of
+      (AsOption, Just o@(Takes _ _)) -> optionName o
+      _ -> p
+    assigned (Setting p v) = case (naming, findField p >>= fieldOption) of
+      (AsOption, Just o@(Sets _ set _)) | v == set -> optionName o
+      _ -> name p ++ " " ++ showValue v
+    isSwitch v = case v of
+      SwitchValue _ -> True
+      _ -> False

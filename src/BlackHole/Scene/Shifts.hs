@@ -1,4 +1,4 @@
--- | Which shifts of frequency a picture shows.
+-- | The frequency shifts that a picture shows.
 module BlackHole.Scene.Shifts
   ( Shifts (..),
     shiftFactor,
@@ -11,31 +11,32 @@ where
 
 import BlackHole.Physics.Redshift (RedshiftParts (..))
 
--- | Nature shows both; a film may leave one out.
+-- | Physically, both shifts apply; a film may leave one out for artistic reasons.
 data Shifts = Shifts
-  { -- | Shifts by motion.
+  { -- | Whether shifts due to motion are shown.
     shiftsDoppler :: !Bool,
-    -- | Shifts by gravity.
+    -- | Whether shifts due to gravity are shown.
     shiftsGravity :: !Bool
   }
   deriving (Eq, Show)
 
--- | The part of g that counts for light from the gas. The observer's own
--- motion goes with gravity's part ('RedshiftParts').
+-- | The part of g that applies to light from the gas. The observer's own motion belongs
+-- to the gravitational part ('RedshiftParts').
 shiftFactor :: Shifts -> RedshiftParts -> Double
 shiftFactor (Shifts doppler gravity) shift =
   (if gravity then redshiftGravitational shift else 1)
     * (if doppler then redshiftDoppler shift else 1)
 {-# INLINE shiftFactor #-}
 
--- | The part of g that counts for light from the sky, for an observer at one place:
--- a factor, and by what his ν_obs/E∞ is divided if that counts.
+-- | The part of g that applies to light from the sky for an observer at one position: a
+-- factor, and the divisor of the observer's ν_obs/E∞ if that applies.
 data SkyShift
   = SteadyShift {-# UNPACK #-} !Double
   | ShiftByFrequency {-# UNPACK #-} !Double {-# UNPACK #-} !Double
 
--- | From the ν_obs/E∞ of an observer at rest at the same place, if one can be there. Inside the horizon nobody is at
--- rest, and gravity's part is not to be told from motion's.
+-- | The shift from the ν_obs\/E∞ of an observer at rest at the same place, if there can be
+-- one. Where nothing can be at rest, the gravitational part cannot be separated from that
+-- of motion.
 skyShiftAt :: Shifts -> Maybe Double -> SkyShift
 skyShiftAt (Shifts doppler gravity) atRest = case atRest of
   Just static -> shift (if gravity then static else 1) static doppler
@@ -45,11 +46,11 @@ skyShiftAt (Shifts doppler gravity) atRest = case atRest of
       | moving = ShiftByFrequency factor static
       | otherwise = SteadyShift factor
 
--- | None, as where there is no gravity.
+-- | No shift, as without gravity.
 noSkyShift :: SkyShift
 noSkyShift = SteadyShift 1
 
--- | The part of g, by the observer's ν_obs/E∞.
+-- | The part of g, from the observer's ν_obs/E∞.
 skyShift :: SkyShift -> Double -> Double
 skyShift (SteadyShift factor) _ = factor
 skyShift (ShiftByFrequency factor static) observed = factor * (observed / static)

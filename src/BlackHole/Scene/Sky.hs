@@ -1,4 +1,4 @@
--- | What lies behind everything, infinitely far away.
+-- | The celestial sphere: what lies behind everything, infinitely far away.
 module BlackHole.Scene.Sky
   ( Sky (..),
     skyName,
@@ -24,9 +24,9 @@ data Sky
     SkyStars !RealSky
   | -- | Point stars made from the seed, before a band like the Milky Way.
     SkyRandomStars !PointStars
-  | -- | A picture of the whole sky.
+  | -- | An environment map.
     SkyPanorama !Panorama
-  | -- | Alternating fields of 10°, to see the lensing by.
+  | -- | Alternating fields of 10°, which show the lensing.
     SkyGrid
   | -- | The same radiance everywhere.
     SkyUniform !Double
@@ -34,7 +34,7 @@ data Sky
     SkyNone
   deriving (Eq, Show)
 
--- | The name on the command line; of a picture its file's.
+-- | The name on the command line; for an environment map, the file's name.
 skyName :: Sky -> String
 skyName sky = case sky of
   SkyNoise _ -> "noise"
@@ -45,12 +45,12 @@ skyName sky = case sky of
   SkyUniform _ -> "uniform"
   SkyNone -> "none"
 
--- | Where the noise rises above the threshold there is a star:
+-- | Stars of noise: there is a star where the noise exceeds the threshold:
 -- @brightness · 1/(1 + e^{−sharpness·(noise − threshold)})@.
 data Stars = Stars
   { -- | Noise features per radian.
     starFrequency :: !Double,
-    -- | Octaves of the noise: one gives round stars, more give shreds of light.
+    -- | Octaves of the noise: one gives round stars, more give ragged ones.
     starOctaves :: !Int,
     -- | Noise level (−1…1) at which a star has half its brightness.
     starThreshold :: !Double,
@@ -105,15 +105,15 @@ data RealSky = RealSky
 realSky :: RealSky
 realSky = RealSky (Degrees 0) 1 1
 
--- | Stars without extent, and the light of those too faint to be single.
+-- | Random stars without extent, and the light of those too faint to be single.
 data PointStars = PointStars
-  { -- | How many of the brightest stars of the whole sky stand there singly;
-    -- our own sky has 9000 that the naked eye can see.
+  { -- | Number of the whole sky's brightest stars that are shown one by one; the naked
+    -- eye sees 9000 of the real ones.
     pointStarsCount :: !Int,
-    -- | Flux of a star of magnitude 0 in units of 1e-6 radiance times steradians:
-    -- 1 gives a pixel of a milliradian squared the radiance 1.
+    -- | Flux of a star of magnitude 0 in units of 1e-6 radiance times steradians; with
+    -- 1, a pixel of one milliradian squared has radiance 1.
     pointStarsBrightness :: !Double,
-    -- | Radiance of the Milky Way where it is bright; 0 leaves it out.
+    -- | Radiance of the band where it is bright; 0 leaves it out.
     pointStarsMilkyWay :: !Double
   }
   deriving (Eq, Show)
@@ -127,19 +127,19 @@ defaultPointStars =
       pointStarsMilkyWay = 0.07
     }
 
--- | An equirectangular picture of the whole sky, from a file.
+-- | An environment map: an equirectangular image of the whole sky, from a file.
 data Panorama = Panorama
-  { -- | The file, seen from the working directory.
+  { -- | The file, relative to the working directory.
     panoramaFile :: !FilePath,
-    -- | How far the picture's middle is turned about the axis +y: at 0° it is the
-    -- direction −z, which a camera at azimuth 90° that looks at the hole has
-    -- before it; at 90° it is +x. The picture then moves to the right.
+    -- | Turn of the image's centre about the axis +y: at 0° the centre is in the
+    -- direction −z, behind the hole for a camera at azimuth 90°; at 90° it is in the
+    -- direction +x. A positive turn moves what is seen to the right.
     panoramaRotation :: !Degrees,
-    -- | Radiance of the picture's white.
+    -- | Radiance of the image's white.
     panoramaBrightness :: !Double
   }
   deriving (Eq, Show)
 
--- | A file's picture as it is.
+-- | A file's image, neither turned nor brightened.
 panoramaOf :: FilePath -> Panorama
 panoramaOf file = Panorama file (Degrees 0) 1

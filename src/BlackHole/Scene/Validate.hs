@@ -1,7 +1,9 @@
--- | Every rule a scene must obey, checked at once: the ranges of the single
--- fields, and what they may be together.
+-- | All rules for a valid scene: the ranges of single settings, and the rules between
+-- settings.
 module BlackHole.Scene.Validate
   ( Problem (..),
+    problemOption,
+    problemValue,
     renderProblem,
     validateScene,
     Fault (..),
@@ -11,6 +13,7 @@ module BlackHole.Scene.Validate
   )
 where
 
+import BlackHole.Physics.Angle (Degrees (..))
 import BlackHole.Physics.Observer
 import BlackHole.Physics.Spacetime (Spacetime (..))
 import BlackHole.Scene.Camera
@@ -24,30 +27,31 @@ import BlackHole.Scene.Scene
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ
 
--- | A field whose value is not allowed, with what is.
+-- | A setting whose value is not allowed.
 data Fault = Fault
-  { -- | The field's path.
+  { -- | The setting's path.
     faultPath :: !String,
     faultValue :: !Value,
+    -- | What is allowed, as a noun phrase.
     faultRange :: !String
   }
   deriving (Eq, Show)
 
--- | All problems of a scene, named by its options where there are any; none
--- means that it can be rendered.
+-- | All problems of a scene, named by options where the settings have one. A scene
+-- without problems can be rendered.
 validateScene :: Scene -> [Problem]
 validateScene = map problem . sceneFaults
   where
     problem (Fault path value range) =
       Problem (maybe path fieldLabel (findField path)) (showValue value) range
 
--- | All faults of a scene, in the order of the table.
+-- | All faults of a scene, in the order of the table of settings.
 sceneFaults :: Scene -> [Fault]
 sceneFaults scene =
   faults ++ posture
   where
     faults = concatMap fieldFaults sceneFields
-    -- A field that is out of its own range breaks no other rule.
+    -- A value out of its own range would only cause misleading faults of other rules.
     fieldFaults field = case rangeFaultsOf scene field of
       [] -> [fault | fault <- crossFaults scene, faultPath fault == fieldPath field]
       found -> found
@@ -56,7 +60,7 @@ sceneFaults scene =
       | otherwise = sightFaults scene
     poseFields = ["camera.distance", "camera.inclination", "camera.azimuth", "camera.position", "camera.look-at", "camera.roll"]
 
--- | The faults that a field has by itself.
+-- | The values outside the range of their own setting.
 rangeFaults :: Scene -> [Fault]
 rangeFaults scene = concatMap (rangeFaultsOf scene) sceneFields
 
@@ -67,24 +71,41 @@ rangeFaultsOf scene field =
       Just range <- [rangeFault (fieldKind field) value]
   ]
 
--- | The rules between fields.
+-- | The rules between settings.
 crossFaults :: Scene -> [Fault]
-crossFaults scene = pose ++ foldMap edges (sceneDisk scene) ++ turning
+crossFaults scene = pose ++ projected ++ foldMap edges (sceneDisk scene) ++ turning
   where
     -- What is defined for a hole without spin only.
     turning = case sceneSpacetime scene of
       Kerr _ ->
         [Fault "physics.integrator" (NameValue "leapfrog") "table or exact around a rotating hole; the leapfrog's law of motion holds without spin only" | sceneIntegrator scene == Leapfrogging]
-          ++ [Fault "observer.motion" (NameValue (observerName Coordinate)) "static, zamo, orbiting, counter-orbiting or falling around a rotating hole" | sceneObserver scene == Coordinate]
+          ++ [Fault "camera.observer" (NameValue (observerName Coordinate)) "static, zamo, orbiting, counter-orbiting or falling around a rotating hole" | sceneObserver scene == Coordinate]
       _ -> []
+    projected = case sceneProjection scene of
+      Perspective ->
+        [ Fault "camera.fov" (NumberValue fov) "an angle above 0 and below 180 (degrees) in perspective; --projection fisheye and equirectangular go up to 360"
+          | fov >= 180
+        ]
+      Fisheye -> []
+      Equirectangular ->
+        [ Fault "image.height" (WholeValue height) ("a whole number from 1 to " ++ show tallest ++ " (pixels): a height of 180 degrees where " ++ show width ++ " pixels are " ++ showNumber fov ++ " degrees")
+          | fov > 0 && height > tallest
+        ]
+          ++ [ Fault "output.bloom" (NumberValue (sceneBloom scene)) "0 in an equirectangular picture: light does not scatter across its edges to where the sphere goes on"
+               | sceneBloom scene > 0
+             ]
+    Degrees fov = cameraFieldOfView (sceneCamera scene)
+    Picture width height = scenePicture scene
+    -- Half the width of the whole sphere, rounded up.
+    tallest = min maximumPictureSide (ceiling (min 1e9 (180 * fromIntegral width / fov) - 1e-6))
     pose = case cameraPose (sceneCamera scene) of
       Around r _ _ ->
         [Fault "camera.distance" (NumberValue r) placeRange | not (standsAt r)]
       LookAt _ _ ->
         [Fault "camera.position" (VectorValue place) ("X,Y,Z at " ++ placeRange) | not (standsAt (XYZ.norm place))]
     place = posePosition (cameraPose (sceneCamera scene))
-    XYZ _ height _ = place
-    least = observerRange (sceneSpacetime scene) (sceneObserver scene) (acos (max (-1) (min 1 (height / XYZ.norm place))))
+    XYZ _ elevation _ = place
+    least = observerRange (sceneSpacetime scene) (sceneObserver scene) (acos (max (-1) (min 1 (elevation / XYZ.norm place))))
     standsAt r = r > least && r <= 1e6 && observerExists (sceneSpacetime scene) (sceneObserver scene) place
     placeRange =
       "a distance above "
@@ -98,15 +119,15 @@ crossFaults scene = pose ++ foldMap edges (sceneDisk scene) ++ turning
       Kerr _ -> True
       _ -> False
     edges disk =
-      [ Fault "disk.inner-radius" (NumberValue (diskInnerRadius disk)) "a radius from 0 to below the outer radius (Schwarzschild radii)"
+      [ Fault "disk.inner" (NumberValue (diskInnerRadius disk)) ("a radius from 0 to below the outer radius, which is " ++ showNumber (diskOuterRadius disk) ++ " (Schwarzschild radii)")
         | diskInnerRadius disk >= diskOuterRadius disk
       ]
 
--- | A camera that looks nowhere.
+-- | A camera without a direction of sight, or whose up direction is undefined.
 sightFaults :: Scene -> [Fault]
 sightFaults scene = case (cameraFrame camera, cameraPose camera) of
   (Nothing, LookAt _ target) ->
-    [ Fault "camera.look-at" (VectorValue target) "a point off the camera's own place and off the vertical (+y) through it, its up vector"
+    [ Fault "camera.look-at" (VectorValue target) "a point other than the camera's position and not straight above or below it (along y, the up direction)"
     ]
   _ -> []
   where

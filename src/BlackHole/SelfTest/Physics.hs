@@ -186,7 +186,8 @@ aimedAt b = Photon (XYZ p 0 (sqrt (900 - p * p))) (XYZ 0 0 (negate speed))
     p = b / speed
 
 -- | The end of that photon's path by leapfrog. The path runs in the plane of the gas,
--- where the report's rule takes short steps.
+-- where the rule of the design report (Will Yager, "Accurately Rendering a Black Hole")
+-- takes short steps.
 pathEnd :: StepRule -> Double -> Fate
 pathEnd rule b =
   followedFate (followLeapfrog settings Schwarzschild emptyRegion (aimedAt b) (\() _ -> Onward ()) ())

@@ -11,7 +11,6 @@ module BlackHole.Trace.Explain
     Shown (..),
     explainPixel,
     gatheredAlong,
-    explainPixelUnder,
     shownAs,
   )
 where
@@ -31,7 +30,6 @@ import BlackHole.Trace.Gas
 import BlackHole.Trace.Pixel
 import BlackHole.Trace.PlaneCrossing
 import BlackHole.Trace.Sampling (Sample (..))
-import BlackHole.Trace.SkyImage (SkyImage)
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ)
 import Data.Word (Word8)
@@ -54,9 +52,12 @@ data Explanation = Explanation
 data Sighting = Sighting
   { -- | The point of the picture that it passes through, in pixels.
     sightingPoint :: !XY,
-    -- | Its direction in the observer's frame, of unit length.
-    sightingDirection :: !XYZ,
-    -- | 'Nothing' if no light arrives from outside ('sightLine').
+    -- | Its weight among a pixel's samples; 1 for the middle.
+    sightingWeight :: !Double,
+    -- | Its direction in the observer's frame, of unit length; 'Nothing' outside a
+    -- fisheye's circle.
+    sightingDirection :: !(Maybe XYZ),
+    -- | 'Nothing' if no light arrives from outside ('BlackHole.Physics.Observer.sightLine').
     sightingArrival :: !(Maybe Arrival),
     -- | The radiance seen along it, 'sightRadiance'.
     sightingRadiance :: !Radiance
@@ -107,40 +108,38 @@ data Shown = Shown
   }
   deriving (Eq, Show)
 
--- | Explains the pixel in a column and a row. 'Nothing' outside the picture, and for a
--- scene that cannot be traced ('tracer'). Takes as long as three such pixels.
-explainPixel :: Scene -> Int -> Int -> Maybe Explanation
-explainPixel = explainPixelUnder Nothing
-
--- | 'explainPixel' with the environment map, for a scene that has one.
-explainPixelUnder :: Maybe SkyImage -> Scene -> Int -> Int -> Maybe Explanation
-explainPixelUnder picture scene column row
+-- | The explanation of the pixel in a column and a row, both from 0 at the top
+-- left; 'Nothing' outside the picture. It costs about three times as much as
+-- rendering the pixel.
+explainPixel :: Tracer -> Int -> Int -> Maybe Explanation
+explainPixel traced column row
   | column < 0 || row < 0 || column >= width || row >= height = Nothing
-  | otherwise = do
-    traced <- tracerUnder picture scene
-    let estimate = pixelEstimate traced column row
-        radiance = estimatedRadiance estimate
-    pure
+  | otherwise =
+    Just
       Explanation
         { explainedPixel = (column, row),
-          explainedMiddle = sighting scene traced (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)),
+          explainedMiddle = sighting scene traced Nothing (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)),
           explainedSamples =
-            [ sighting scene traced (samplePlace (samplePoint scene column row index))
-              | index <- [0 .. estimateCount estimate - 1]
+            [ (sighting scene traced (pixelSky traced column row) place) {sightingWeight = weight}
+              | Sample place weight <- pixelSamples traced (estimateCount estimate) column row
             ],
           explainedRadiance = radiance,
           explainedShown = shownAs scene column row radiance
         }
   where
+    scene = tracedScene traced
     Picture width height = scenePicture scene
+    estimate = pixelEstimate traced column row
+    radiance = estimatedRadiance estimate
 
-sighting :: Scene -> Tracer -> XY -> Sighting
-sighting scene traced point =
+sighting :: Scene -> Tracer -> Maybe SkyPatch -> XY -> Sighting
+sighting scene traced shared point =
   Sighting
     { sightingPoint = point,
+      sightingWeight = 1,
       sightingDirection = tracedDirection traced point,
-      sightingArrival = arrival scene traced point <$> tracedSight traced point,
-      sightingRadiance = sightRadiance traced point
+      sightingArrival = arrival scene traced shared point <$> tracedSight traced point,
+      sightingRadiance = sharingRadiance traced shared point
     }
 
 -- | The gathered light, and the number of segments that contributed to it.
@@ -153,8 +152,8 @@ gatheredAlong :: Tracer -> XY -> SightLine -> (Fate, Int, Int)
 gatheredAlong traced point sight = case counted traced point sight of
   Followed fate (Counted samples _) steps -> (fate, steps, samples)
 
-arrival :: Scene -> Tracer -> XY -> SightLine -> Arrival
-arrival scene traced point sight =
+arrival :: Scene -> Tracer -> Maybe SkyPatch -> XY -> SightLine -> Arrival
+arrival scene traced shared point sight =
   case counted traced point sight of
     Followed fate (Counted samples (Gathered light transmittance)) steps ->
       Arrival
@@ -168,7 +167,7 @@ arrival scene traced point sight =
           arrivalGasSamples = samples,
           arrivalTransmittance = transmittance,
           arrivalGas = light,
-          arrivalSky = tracedSky traced point sight fate
+          arrivalSky = sharedSky traced shared point sight fate
         }
 
 counted :: Tracer -> XY -> SightLine -> Followed Counted

@@ -151,7 +151,7 @@ data Light = Planar | Around !GasFlow !LightRay
 -- A call of its own: inlined into the loop that follows a path, it would leave
 -- no register for either. The gas goes in as a pointer, for which 'lazy' stands.
 throughGas :: Gas -> Light -> Double -> Gathered -> Stretch -> Gathered
-throughGas prepared light !observed !gathered !stretch = case gasAt (gasDensity g) place r extent of
+throughGas prepared light !observed !gathered !stretch = case gasAt (gasDensity g) place r extent slant of
   Here dense heat
     | dense < thinnest -> gathered
     | otherwise -> shining (gasExtinction g * dense) heat
@@ -162,7 +162,9 @@ throughGas prepared light !observed !gathered !stretch = case gasAt (gasDensity 
     !velocity@(XYZ vx vy vz) = stretchVelocity stretch
     -- Gas is drawn out along its orbits: what counts is how far the stretch goes
     -- across them, and a tenth of its length.
-    !extent = stretchAffineLength stretch * (max (abs (px * vx + py * vy + pz * vz) / r) (abs vy) + 0.1 * XYZ.norm velocity)
+    !inward = abs (px * vx + py * vy + pz * vz) / r
+    !extent = stretchAffineLength stretch * (max inward (abs vy) + 0.1 * XYZ.norm velocity)
+    !slant = min 8 (max 1 (0.7 * inward / (abs vy + 1e-9)))
     shining !opacity !heat = case gasGlow g of
       ByRadius brightness ->
         pass

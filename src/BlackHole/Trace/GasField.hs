@@ -1,4 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
+-- Places and patterns are a dozen numbers, which go from caller to callee as they are,
+-- not through the heap.
+{-# OPTIONS_GHC -fmax-worker-args=24 #-}
 
 -- | Where the gas of a disk is: its density at a place and a time.
 --
@@ -186,7 +189,7 @@ detail :: Disk -> [(Double, Double)] -> Double -> [Double]
 detail disk moments len = [count, density full - density count, heat count]
   where
     full = fromIntegral (diskTurbulenceOctaves disk)
-    count = max 1 (min full (0.75 - logBase 2 (max 1e-9 (diskTurbulenceFrequency disk * len))))
+    count = max 1 (min full (0.4 - logBase 2 (max 1e-9 (diskTurbulenceFrequency disk * len))))
     density = between fst
     heat = between snd
     -- Four values for each octave.
@@ -235,11 +238,12 @@ data Here = Here
   }
   deriving (Eq, Show)
 
--- | @gasAt field place r len fine@: the gas at a place at the distance r from the
--- hole, as far as a stretch can tell that has this length, and this extent across
--- the orbits. No density where there is less than 'faintest'.
-gasAt :: GasField -> XYZ -> Double -> Double -> Here
-gasAt field place@(XYZ x y z) !r !len
+-- | @gasAt field place r len slant@: the gas at a place at the distance r from the
+-- hole, as far as a segment of a path can tell that reaches so far across the
+-- orbits, in a pixel whose footprint on the gas is so many times as long as wide.
+-- No density where there is less than 'faintest'.
+gasAt :: GasField -> XYZ -> Double -> Double -> Double -> Here
+gasAt field place@(XYZ x y z) !r !len !slant
   | r >= fieldOuter field = Here 0 0
   | profile - plain * plain < faintest = if fieldHaze field > 0 then Here (hazeAt ()) 0 else Here 0 0
   | otherwise =
@@ -249,7 +253,7 @@ gasAt field place@(XYZ x y z) !r !len
           | otherwise = displacement field place
         !wave = armWave field r azimuth displaced
         !height = plain / armThickness field wave
-        !finest = max (fieldShare field * len) (fieldPixel field * XYZ.distance place (fieldEye field)) / r
+        !finest = max (fieldShare field * len) (fieldPixel field * slant * XYZ.distance place (fieldEye field)) / r
         !resolved = rowAt (fieldDetail field) finest
         !swirl = turbulence field place r (valueAt (fieldDetail field) resolved 0) azimuth (valueAt (fieldRadial field) row 1) (valueAt (fieldRadial field) row 2)
         !dense = exponential (profile - height * height + swirl + valueAt (fieldDetail field) resolved 1)
@@ -272,7 +276,7 @@ gasAt field place@(XYZ x y z) !r !len
 -- | @logDensity field place r len@: the natural logarithm of the density over
 -- that of dense gas; far below 'faintest' where there is none.
 logDensity :: GasField -> XYZ -> Double -> Double -> Double
-logDensity field place r len = case gasAt field place r len of
+logDensity field place r len = case gasAt field place r len 1 of
   Here dense _ -> if dense > 0 then log dense else 2 * faintest
 
 -- | The noise that displaces the arms and bends the turbulence, −1 … 1. It turns

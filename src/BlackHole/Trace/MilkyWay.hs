@@ -1,5 +1,5 @@
--- | The faint band of our galaxy: the light of all the stars that are too many
--- to be seen singly, behind dust.
+-- | A random band like the Milky Way: the light of stars too numerous to be seen one by
+-- one, behind dust. "BlackHole.Trace.RealSky" has the real one.
 module BlackHole.Trace.MilkyWay
   ( milkyWay,
     milkyWayRings,
@@ -15,9 +15,9 @@ import BlackHole.Trace.Galaxy (toGalactic)
 import BlackHole.Trace.SkyImage
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
 
--- | The band as a picture of the sky, 1 where it is brightest. Its clouds and
--- its dust are noise on the sphere, the dust finer and closer to the middle of
--- the band; a glow lies around the galaxy's middle.
+-- | The band as an image of the sky, with radiance 1 where it is brightest. Clouds and
+-- dust are noise on the sphere, the dust finer and closer to the middle of the band; a
+-- bulge surrounds the galactic centre.
 milkyWay :: Seed -> SkyImage
 milkyWay (Seed seed) = skyImageFromDirections milkyWayRings (light . toGalactic)
   where
@@ -60,7 +60,6 @@ milkyWay (Seed seed) = skyImageFromDirections milkyWayRings (light . toGalactic)
     -- Off the lattice points in which all octaves vanish.
     offset v = XYZ v (0.77 * v) (-(0.59 * v))
 
--- | Rings of the picture: fields of 0.56°, of which the finest dust has two and a
--- half across.
+-- | Rings of the image: fields of 0.56°. The finest dust is 2.5 fields wide.
 milkyWayRings :: Int
 milkyWayRings = 320

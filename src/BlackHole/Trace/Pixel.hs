@@ -14,7 +14,10 @@ module BlackHole.Trace.Pixel
     onlySample,
     sightRadiance,
     samplePoint,
-    meetsPhotonRing,
+    PhotonRing,
+    photonRing,
+    addRingSamples,
+    ringPoint,
 
     -- * Its parts
     tracedScene,
@@ -22,6 +25,10 @@ module BlackHole.Trace.Pixel
     tracedSight,
     tracedGas,
     tracedSky,
+    SkyPatch,
+    pixelSky,
+    sharingRadiance,
+    sharedSky,
     tracedBeam,
     followSight,
   )
@@ -34,6 +41,7 @@ import BlackHole.Physics.ExactPath
 import BlackHole.Physics.Fate
 import BlackHole.Physics.Kerr.Follow
 import BlackHole.Physics.Kerr.Radial (photonOrbitOffset)
+import BlackHole.Physics.Kerr.Sight (LightRay (rayRadius))
 import BlackHole.Physics.Leapfrog
 import BlackHole.Physics.LensBeam
 import BlackHole.Physics.LensTable
@@ -95,7 +103,7 @@ tracerUnder picture scene = do
   sky <- shader
   pure
     Tracer
-      { tracerPlane = picturePlane (sceneCamera scene) (scenePicture scene) frame,
+      { tracerPlane = picturePlane (sceneProjection scene) (sceneCamera scene) (scenePicture scene) frame,
         tracerScene = scene,
         tracerGain = 2 ** stops,
         tracerEye = eye (sceneSpacetime scene) (sceneObserver scene) place,
@@ -119,7 +127,7 @@ tracerUnder picture scene = do
       Nothing -> Vacuum
       Just disk
         | sceneDebugTextures scene -> Checks disk
-        | otherwise -> Gaseous (gas (sceneSpacetime scene) seed (sceneShifts scene) disk place (pixelAngle (sceneCamera scene) (scenePicture scene)) (sceneSamples scene))
+        | otherwise -> Gaseous (gas (sceneSpacetime scene) seed (sceneShifts scene) disk place (pixelAngle (sceneProjection scene) (sceneCamera scene) (scenePicture scene)) (sceneSamples scene))
 
 -- | The parts of a tracer that take time to compute, for evaluation in advance and in
 -- parallel. Otherwise the first ray that needs a part waits for it.
@@ -180,9 +188,7 @@ addSamples :: Tracer -> Int -> Int -> Estimate -> Int -> Int -> Estimate
 addSamples prepared from to estimate column row = go from estimate
   where
     traced = lazy prepared
-    shared
-      | to - from > 1 = skyPatch traced (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5))
-      | otherwise = Nothing
+    shared = pixelSky traced column row
     go !index !sums
       | index < to =
         let Sample place weight = samplePoint (tracerScene traced) column row index
@@ -253,10 +259,15 @@ seen :: Tracer -> Maybe SkyPatch -> XY -> SightLine -> Followed Gathered -> Radi
 seen traced shared point sight (Followed fate (Gathered light transmittance) _) =
   light <+> scaleRadiance transmittance behind
   where
-    behind = case fate of
-      Escaped direction | Just patch <- shared, Just sky <- patchRadiance patch point direction -> sky
-      _ -> tracedSky traced point sight fate
+    behind = sharedSky traced shared point sight fate
 {-# INLINE seen #-}
+
+-- | 'tracedSky', given the sky behind the pixel where it is known.
+sharedSky :: Tracer -> Maybe SkyPatch -> XY -> SightLine -> Fate -> Radiance
+sharedSky traced shared point sight fate = case fate of
+  Escaped direction | Just patch <- shared, Just sky <- patchRadiance patch point direction -> sky
+  _ -> tracedSky traced point sight fate
+{-# INLINE sharedSky #-}
 
 -- | The sky behind a pixel, without gas: the pixel's centre, the beam through it, the
 -- square of the distance from the beam's prediction up to which a line of sight may
@@ -268,20 +279,21 @@ data SkyPatch
       {-# UNPACK #-} !Double
       {-# UNPACK #-} !Radiance
 
--- | The sky behind the pixel around a point of the picture, for all of its samples: the
--- light through a beam is already filtered for a whole pixel, so one evaluation is
--- enough. 'Nothing' for a sky that is cheap to evaluate, and where no light arrives from
--- it.
-skyPatch :: Tracer -> XY -> Maybe SkyPatch
-skyPatch traced point = case tracerSky traced of
-  ByDirection _ -> Nothing
-  ByBeam shader -> do
+-- | The sky behind a pixel, by column and row, for all of its samples: the light
+-- through a beam is already filtered for a whole pixel, so one evaluation is enough.
+-- 'Nothing' for a sky that is cheap to evaluate, for pixels of one sample, and where no
+-- light arrives from the sky.
+pixelSky :: Tracer -> Int -> Int -> Maybe SkyPatch
+pixelSky traced column row = case tracerSky traced of
+  ByBeam shader | mostSamples (tracerScene traced) > 1 -> do
+    let point = XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)
     sight <- tracedSight traced point
     direction <- escapeDirection traced point sight
     beam <- tracedBeam traced point sight direction
     let area = beamSolidAngle beam
         breadth = XYZ.dot (beamAlongX beam) (beamAlongX beam) + XYZ.dot (beamAlongY beam) (beamAlongY beam)
     pure (SkyPatch point beam (0.01 * area * area / breadth) (shader (skyShift (tracerSkyShift traced) (sightFrequency sight)) beam))
+  _ -> Nothing
 
 -- | A patch's light for a line of sight through a point of the picture that escapes in
 -- this direction. 'Nothing' if the direction is farther from the beam's prediction than
@@ -298,14 +310,15 @@ patchRadiance (SkyPatch (XY x0 y0) (Beam d a b) slack light) (XY x y) direction
 tracedScene :: Tracer -> Scene
 tracedScene = tracerScene
 
--- | The viewing direction through a point of the picture.
-tracedDirection :: Tracer -> XY -> XYZ
+-- | The viewing direction through a point of the picture; 'Nothing' outside a
+-- fisheye's circle.
+tracedDirection :: Tracer -> XY -> Maybe XYZ
 tracedDirection traced = sightDirection (tracerPlane traced)
 
 -- | The light path that arrives at a point of the picture; 'Nothing' if none does, so
--- that the point is dark ('sightLine').
+-- that the point is dark ('sightLine', 'sightDirection').
 tracedSight :: Tracer -> XY -> Maybe SightLine
-tracedSight traced point = sightFrom (tracerEye traced) (sightDirection (tracerPlane traced) point)
+tracedSight traced point = sightDirection (tracerPlane traced) point >>= sightFrom (tracerEye traced)
 
 -- | The contribution of a segment of the scene's gas along a line of sight.
 tracedGas :: Tracer -> SightLine -> Gathered -> Stretch -> Onward Gathered
@@ -334,16 +347,17 @@ tracedSky traced point sight fate = case fate of
 -- answer, the paths through points beside it. 'Nothing' if no light arrives from the
 -- sky.
 tracedBeam :: Tracer -> XY -> SightLine -> XYZ -> Maybe Beam
-tracedBeam traced point@(XY x y) sight direction = case (sceneSpacetime (tracerScene traced), sight) of
+tracedBeam traced point sight direction = case (sceneSpacetime (tracerScene traced), sight) of
   (Schwarzschild, SightLine photon _)
-    | Just (SightLine beside _) <- tracedSight traced (XY (x + step) y),
-      Just (SightLine below _) <- tracedSight traced (XY x (y + step)),
+    | Just (SightLine beside _) <- sightAt (XY step 0),
+      Just (SightLine below _) <- sightAt (XY 0 step),
       Just (LensChanges alongX alongY) <- lensChanges (tracerTable traced) photon direction beside below ->
       Just (Beam direction ((1 / step) *^ alongX) ((1 / step) *^ alongY))
-  _ -> beamByDifferences escape point
+  _ -> beamByDifferences escape (XY 0 0)
   where
     step = 0.01
-    escape beside = tracedSight traced beside >>= escapeDirection traced beside
+    sightAt offset = sightBeside (tracerPlane traced) point offset >>= sightFrom (tracerEye traced)
+    escape offset = sightAt offset >>= escapeDirection traced point
 
 -- | The direction in which a line of sight escapes, disregarding gas, if it does.
 escapeDirection :: Tracer -> XY -> SightLine -> Maybe XYZ
@@ -356,27 +370,64 @@ escapeDirection traced point sight = case fate of
       RotatingSight hole azimuth ray -> kerrEnd hole azimuth ray
       _ -> followedFate (followSight traced {tracerRegion = emptyRegion} point sight (\() _ -> Onward ()) ())
 
--- | Whether the edge of the shadow passes through or beside the pixel around a point of
+-- | The edge of the shadow where it passes through or beside a pixel: the unit vector
+-- across it and out of the shadow, and by how much 'criticalOffset' shrinks per pixel
+-- along that vector.
+data PhotonRing
+  = PhotonRing
+      {-# UNPACK #-} !XY
+      {-# UNPACK #-} !Double
+
+-- | The edge of the shadow if it passes through or beside the pixel around a point of
 -- the picture. All higher-order images of the gas crowd together at that edge in rings
 -- thinner than a pixel.
-meetsPhotonRing :: Tracer -> XY -> Bool
-meetsPhotonRing traced point@(XY x y) = case (tracerMatter traced, tracedOffset point) of
+photonRing :: Tracer -> XY -> Maybe PhotonRing
+photonRing traced point@(XY x y) = case (tracerMatter traced, tracedOffset traced point) of
   (Gaseous _, Just here)
     -- Most pixels are thousands of pixels away from the ring; dismiss them cheaply.
     -- Fast observers see the ring grow or shrink, but by less than this factor.
-    | abs here < 16 * pixelAngle (sceneCamera scene) (scenePicture scene),
-      Just right <- tracedOffset (XY (x + 1) y),
-      Just below <- tracedOffset (XY x (y + 1)) ->
-      abs here < 1.5 * (abs (right - here) + abs (below - here))
-  _ -> False
+    | abs here < 16 * pixelAngle (sceneProjection scene) (sceneCamera scene) (scenePicture scene),
+      Just right <- tracedOffset traced (XY (x + 1) y),
+      Just below <- tracedOffset traced (XY x (y + 1)),
+      let across = right - here
+          down = below - here
+          growth = sqrt (across * across + down * down),
+      abs here < 1.5 * (abs across + abs down) ->
+      Just (PhotonRing (XY (negate across / growth) (negate down / growth)) growth)
+  _ -> Nothing
   where
     scene = tracerScene traced
-    tracedOffset place = do
-      sight <- tracedSight traced place
-      case (sceneSpacetime scene, sight) of
-        (Schwarzschild, SightLine photon _) -> Just (criticalOffset (tracerTable traced) photon)
-        (_, RotatingSight hole _ ray) -> photonOrbitOffset hole ray
-        _ -> Nothing
+
+-- | 'criticalOffset' of the light path that arrives at a point of the picture; around a
+-- rotating hole, a measure as smooth and about as large.
+tracedOffset :: Tracer -> XY -> Maybe Double
+tracedOffset traced place = do
+  sight <- tracedSight traced place
+  case (sceneSpacetime (tracerScene traced), sight) of
+    (Schwarzschild, SightLine photon _) -> Just (criticalOffset (tracerTable traced) photon)
+    (_, RotatingSight hole _ ray) -> (* negate (2.6 / max 2.6 (rayRadius ray))) <$> photonOrbitOffset hole ray
+    _ -> Nothing
+
+-- | @addRingSamples traced ring from to estimate column row@ is 'addSamples' with the
+-- points of 'ringPoint'.
+addRingSamples :: Tracer -> PhotonRing -> Int -> Int -> Estimate -> Int -> Int -> Estimate
+addRingSamples prepared ring from to estimate column row = go from estimate
+  where
+    traced = lazy prepared
+    go !index !sums
+      | index < to =
+        let Sample place weight = ringPoint traced ring column row index
+            light = if weight == 0 then black else sightRadiance traced place
+         in go (index + 1) (addSample (tracerGain traced) weight light sums)
+      | otherwise = sums
+
+-- | One of the samples of a pixel on the photon ring, by column, row and sample number:
+-- more of them where the images of the gas are thinner.
+ringPoint :: Tracer -> PhotonRing -> Int -> Int -> Int -> Sample
+ringPoint traced (PhotonRing normal growth) =
+  curveSample (sceneFilter scene) (sceneSeed scene) normal (fmap (negate . (/ growth)) . tracedOffset traced)
+  where
+    scene = tracerScene traced
 
 -- | One of a pixel's samples, by column, row and sample number.
 samplePoint :: Scene -> Int -> Int -> Int -> Sample

@@ -29,19 +29,19 @@ import BlackHole.Trace.StarField
 import BlackHole.Vector.XYZ (XYZ, (*^))
 import Data.Word (Word64)
 
--- | Light from the sky by the frequency g times as high at which the observer
--- sees it: where the direction (unit length, as the light escapes) says all,
--- or where the sky is finer than a pixel and it takes the whole beam.
+-- | Light from the sky for an observer who sees it at g times its frequency: a function
+-- of the direction alone (unit length, in which the path escapes), or of the whole beam
+-- where the sky has details finer than a pixel.
 data SkyShader
   = ByDirection !(Double -> XYZ -> Radiance)
   | ByBeam !(Double -> Beam -> Radiance)
 
--- | The light of a sky under a scene's seed. A star is a black body and changes
--- its colour with g; light of no known spectrum keeps it. Either way the
--- intensity grows as g⁴.
+-- | The light of a sky, given the scene's seed. A star is a black body and changes its
+-- colour with g; light of unknown spectrum keeps its colour. Either way the intensity
+-- grows as g⁴.
 --
--- The picture of a panorama comes from outside; 'Nothing' where the sky is one
--- and there is no picture.
+-- The image of an environment map must be given. 'Nothing' if the sky is one and the
+-- image is missing.
 skyShader :: Maybe SkyImage -> Word64 -> Sky -> Maybe SkyShader
 skyShader picture seed sky = case sky of
   SkyPanorama panorama -> panoramaShader panorama <$> picture
@@ -52,7 +52,7 @@ skyShader picture seed sky = case sky of
   SkyUniform v -> Just (ByDirection (\g _ -> grey (v * g ^ (4 :: Int))))
   SkyNone -> Just (ByDirection (\_ _ -> black))
 
--- | The file that has to be read before a scene can be traced.
+-- | The environment map that must be read before a scene can be traced.
 neededPicture :: Scene -> Maybe FilePath
 neededPicture scene = case sceneSky scene of
   SkyPanorama panorama | not (sceneDebugTextures scene) -> Just (panoramaFile panorama)
@@ -83,7 +83,7 @@ realStarField = starField 1 realStars
 magnitudeZeroFlux :: Double
 magnitudeZeroFlux = 80e-6
 
--- | Point stars before the Milky Way.
+-- | Random stars in front of the random band.
 pointStarRadiance :: Word64 -> PointStars -> Double -> Beam -> Radiance
 pointStarRadiance seed stars
   | pointStarsMilkyWay stars > 0 =
@@ -94,7 +94,8 @@ pointStarRadiance seed stars
     field = starField (1e-6 * pointStarsBrightness stars) (starCatalogue (purposeSeed seed StarPlaces) (pointStarsCount stars))
     band = milkyWay (purposeSeed seed GalacticClouds)
 
--- | A picture of the sky, turned ('turned') and as bright as the panorama says.
+-- | An image of the sky with the turn ('turned') and the brightness of an environment
+-- map.
 panoramaShader :: Panorama -> SkyImage -> SkyShader
 panoramaShader panorama image = ByBeam $ \g beam ->
   scaleRadiance (panoramaBrightness panorama * (g * g * (g * g))) (skyImageRadiance image (turn beam))
@@ -105,8 +106,8 @@ panoramaShader panorama image = ByBeam $ \g beam ->
 starRadiance :: Word64 -> Stars -> Double -> XYZ -> Radiance
 starRadiance seed stars = \g direction ->
   let place = starFrequency stars *^ direction
-   in -- Four widths below the threshold a star is darker than 2 % of itself:
-      -- cut there, so that the sky between the stars is black.
+   in -- Four widths below the threshold a star has 2 % of its brightness. Stars end
+      -- there, so that the sky between them is black.
       case above (starThreshold stars - 4 / starSharpness stars) place of
         Nothing -> black
         Just value ->
@@ -118,7 +119,7 @@ starRadiance seed stars = \g direction ->
     colourSeed = purposeSeed seed StarColour
     light
       | starColours stars = \g place ->
-        -- From cool orange to hot blue stars, the same over the whole of one.
+        -- From cool orange to hot blue, uniform over each star.
         let temperature = 5500 * exp (2 * noise3 colourSeed unitLevel (0.4 *^ place))
          in scaleRadiance (g ^ (4 :: Int)) (tabulatedColour (g * temperature))
       | otherwise = \g _ -> grey (g ^ (4 :: Int))

@@ -1,9 +1,11 @@
-{-# LANGUAGE TemplateHaskell #-}
+{-# LANGUAGE ForeignFunctionInterface #-}
 
 -- | The files of @data\/sky@, which become part of the program when it is compiled:
 -- an installed program is one file and works wherever it is moved.
 --
--- @data\/sky\/README.md@ describes their formats and names their sources.
+-- @data\/sky\/README.md@ describes their formats and names their sources. The assembler
+-- includes them (@data\/sky\/sky.c@). Template Haskell could do so as well, but with it
+-- GHC compiles every module of the package twice.
 module BlackHole.Trace.SkyFiles
   ( starBytes,
     milkyWayBytes,
@@ -11,30 +13,25 @@ module BlackHole.Trace.SkyFiles
 where
 
 import qualified Data.ByteString as Bytes
-import qualified Data.ByteString.Internal as Bytes (toForeignPtr)
-import qualified Data.ByteString.Unsafe as Bytes (unsafePackAddressLen)
-import Language.Haskell.TH
-import Language.Haskell.TH.Syntax (addDependentFile)
+import qualified Data.ByteString.Unsafe as Bytes (unsafePackCStringLen)
+import Foreign.C.Types (CChar)
+import Foreign.Ptr (Ptr)
 import System.IO.Unsafe (unsafePerformIO)
+
+foreign import ccall "&blackhole_stars" starsAddress :: Ptr CChar
+
+foreign import ccall "&blackhole_milky_way" milkyWayAddress :: Ptr CChar
 
 -- | The star catalogue, @data\/sky\/stars.bin@.
 starBytes :: Bytes.ByteString
-starBytes = fst embedded
+starBytes = constant starsAddress 945880
+{-# NOINLINE starBytes #-}
 
 -- | The map of the diffuse light, @data\/sky\/milkyway.bin@.
 milkyWayBytes :: Bytes.ByteString
-milkyWayBytes = snd embedded
+milkyWayBytes = constant milkyWayAddress 275400
+{-# NOINLINE milkyWayBytes #-}
 
--- | Both files. Cabal and Stack run the compiler in the package's root.
-embedded :: (Bytes.ByteString, Bytes.ByteString)
-embedded =
-  $( let file path = do
-           addDependentFile path
-           bytes <- runIO (Bytes.readFile path)
-           let (pointer, offset, size) = Bytes.toForeignPtr bytes
-               literal = bytesPrimL (mkBytes pointer (fromIntegral offset) (fromIntegral size))
-           -- Safe: the literal has this length, and nothing writes to it.
-           [|unsafePerformIO (Bytes.unsafePackAddressLen size $(litE literal))|]
-      in tupE [file "data/sky/stars.bin", file "data/sky/milkyway.bin"]
-   )
-{-# NOINLINE embedded #-}
+-- | Constant bytes of a known size, not copied. The tests compare them with the files.
+constant :: Ptr CChar -> Int -> Bytes.ByteString
+constant address size = unsafePerformIO (Bytes.unsafePackCStringLen (address, size))

@@ -1,18 +1,17 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | A picture of the whole celestial sphere, ready to be looked at through
--- beams of any width.
+-- | An image of the whole celestial sphere, prepared for beams of any width.
 --
 -- The sphere is cut into rings of equal height, and every ring into fields
 -- about as wide as they are high, so that a field is nearly square everywhere
--- and the poles are no different from the equator. Over the finest level stand
--- coarser ones of half as many rings each, up to one field for the whole sky;
--- every field is the mean, by solid angle, of what it covers, so all levels
+-- and the poles are no different from the equator. The finest level is followed by
+-- coarser ones of half as many rings each, down to one field for the whole sky.
+-- Every field is the mean, by solid angle, of what it covers, so all levels
 -- send the same light.
 --
--- The picture's middle is the direction −z, its upper edge the pole +y, and
--- its right half lies towards +x: somebody on the +z axis who looks at the hole
--- sees the middle straight behind it, the right way round.
+-- The image's centre is the direction −z, its upper edge the pole +y, and its right
+-- half lies towards +x: an observer on the +z axis who looks at the hole sees the
+-- centre straight behind it, not mirrored.
 module BlackHole.Trace.SkyImage
   ( SkyImage,
     skyImageFromPixels,

@@ -36,7 +36,7 @@ import GHC.Float (double2Float, float2Double)
 -- | Stars by their number from 0, the brightest first. 20 bytes a star.
 newtype StarCatalogue = StarCatalogue (U.Vector Float)
 
--- | Numbers kept of a star: direction, magnitude, temperature.
+-- | Numbers stored for a star: direction, magnitude, temperature.
 starNumbers :: Int
 starNumbers = 5
 
@@ -83,8 +83,8 @@ star seed i =
     upper, lower :: Word64 -> Word64
     upper h = h `shiftR` 32
     lower h = h .&. 0xffffffff
-    -- Bright stars are near and know little of the plane: the share of those
-    -- that lie about it grows with the rank, to half.
+    -- Bright stars are near and hardly concentrated towards the plane: the share of
+    -- stars that are grows with the rank, up to half.
     inPlane = 0.5 * fromIntegral i / (fromIntegral i + 2000)
     u = uniform 0 lower
     height
@@ -101,7 +101,7 @@ exponentialHeight u = negate (scaleHeight * log (1 - u * (1 - exp (-1 / scaleHei
   where
     scaleHeight = 0.16
 
--- | The magnitude above which there are so many stars in the whole sky:
+-- | The magnitude up to which the whole sky has this number of stars:
 -- log₁₀ N = 0.5 m + 0.704, and below magnitude 2 the law 0.6 m + 0.504 of an
 -- even distribution in space. It has 50 stars up to 2 and 9000 up to 6.5, as
 -- our sky does (Allen's Astrophysical Quantities, §"star counts").
@@ -144,8 +144,8 @@ number :: StarCatalogue -> Int -> Int -> Double
 number (StarCatalogue numbers) i k = float2Double (U.unsafeIndex numbers (starNumbers * i + k))
 {-# INLINE number #-}
 
--- | Where a star stands (unit length to single precision). For this and the
--- following, the star's number must be from 0 to below 'starCount'.
+-- | A star's direction (unit length to single precision). Here and in the following,
+-- the star's number must be at least 0 and less than 'starCount'.
 starDirection :: StarCatalogue -> Int -> XYZ
 starDirection stars i = XYZ (number stars i 0) (number stars i 1) (number stars i 2)
 {-# INLINE starDirection #-}

@@ -1,18 +1,18 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | Point stars seen through a beam, with their flux kept.
+-- | Point stars seen through a beam, with their flux conserved.
 --
 -- A point star of flux F at pixel offset p from a sample adds F K(p) / A to the
--- sample's radiance: A is the solid angle of sky behind one pixel, K a bell of a
--- few pixels whose values over the pixel grid sum to 1 wherever the grid lies.
--- The light of the star's image, summed over the pixels and multiplied by the
--- solid angle of a pixel before the camera, is then F times the magnification,
--- and does not change as the star moves across the pixels.
+-- sample's radiance. A is the solid angle of sky behind one pixel, and K, the
+-- point-spread function, is a bell a few pixels wide whose values over the pixel grid
+-- sum to 1 wherever the grid lies. The light of the star's image, summed over the
+-- pixels and multiplied by the solid angle that a pixel covers as seen by the camera,
+-- is thus F times the magnification, wherever the star lies between the pixels.
 --
--- The stars are held in three tiers of falling brightness. A tier is looked
--- through star by star as long as a beam is narrow enough to hold only a few of
--- its stars; for wider beams, as close to the photon ring, its light comes from a
--- blurred picture of the tier, and in between from both.
+-- The stars are held in three tiers of decreasing brightness. As long as a beam is
+-- narrow enough to contain only a few stars of a tier, they are added one by one. For
+-- wider beams, as close to the photon ring, the tier's light comes from a blurred image
+-- of it, and in between from both.
 module BlackHole.Trace.StarField
   ( StarField,
     starField,
@@ -21,6 +21,8 @@ module BlackHole.Trace.StarField
     shiftedMixture,
     pixelKernel,
     kernelRadius,
+    Window (..),
+    starWindows,
   )
 where
 
@@ -38,14 +40,15 @@ import qualified Data.Vector.Unboxed as U
 import qualified Data.Vector.Unboxed.Mutable as M
 import GHC.Float (double2Float, float2Double)
 
--- | Stars in order of brightness, found by their place. Some 60 bytes a star.
+-- | Stars in order of brightness, with an index of their directions. About 40 bytes a
+-- star.
 newtype StarField = StarField [Tier]
 
--- | Stars of like brightness in the cells of a cube around the sphere.
+-- | Stars of similar brightness in the cells of a cube around the sphere.
 data Tier = Tier
   { -- | Cells along an edge of the cube.
     tierSide :: !Int,
-    -- | Extent of a beam, in radians, from which single stars count for nothing.
+    -- | Extent of a beam, in radians, from which on only the blurred image counts.
     tierLimit :: !Double,
     -- | Number of each cell's first star, and one more entry at the end. Cells
     -- are in rows, rows in faces.
@@ -56,18 +59,17 @@ data Tier = Tier
     tierBlurred :: SkyImage
   }
 
--- | Arrange a catalogue, given the flux (radiance times steradians) of a star of
--- magnitude 0. About 0.3 µs a star; the blurred pictures are made when they are
--- first needed.
+-- | Index a catalogue, given the flux (radiance times steradians) of a star of
+-- magnitude 0. Takes 0.3 µs a star; the blurred images are made at their first use.
 starField :: Double -> StarCatalogue -> StarField
 starField unitFlux stars = foldr seq (StarField tiers) tiers
   where
     tiers =
       [ tier unitFlux stars side limit rings from (min to (starCount stars))
         | (from, to, side, limit, rings) <-
-            [ (0, 400, 16, 0.4, 16),
-              (400, 6000, 64, 0.14, 32),
-              (6000, starCount stars, 160, 0.05, 64)
+            [ (0, 400, 16, 0.6, 16),
+              (400, 6000, 64, 0.23, 32),
+              (6000, starCount stars, 160, 0.083, 64)
             ],
           from < min to (starCount stars)
       ]
@@ -145,11 +147,10 @@ kernelRadius :: Double
 kernelRadius = 2.5
 
 -- | The stars' light through a beam, for an observer who sees it at g times its
--- frequency: black bodies of g times their temperature, and g⁴ times as
--- bright.
+-- frequency: that of black bodies of g times their temperature, g⁴ times as bright.
 --
--- A beam of a pixel's size costs some 80 ns without a star in it and 0.1 µs more
--- for each star that is.
+-- A beam as wide as a pixel takes 80 ns without a star in it and 0.1 µs more for each
+-- star.
 starFieldRadiance :: StarField -> Double -> Beam -> Radiance
 starFieldRadiance (StarField tiers) g beam@(Beam (XYZ dx dy dz) a b)
   | isNaN (extent + dx + dy + dz) || isInfinite extent = scaleRadiance g4 (foldMap (skyImageMean . tierBlurred) tiers)
@@ -159,10 +160,10 @@ starFieldRadiance (StarField tiers) g beam@(Beam (XYZ dx dy dz) a b)
     !extent = kernelRadius * beamExtent beam
     !area = abs (beamSolidAngle beam)
     !breadth = XYZ.dot a a + XYZ.dot b b
-    -- On a critical curve of the lens the beam is squeezed into a line, and
-    -- within its own width the light of a star grows beyond all bounds: to say
-    -- how far takes more than a Jacobian, and a wrong guess would sparkle. So
-    -- within some two pixels of the curve a star is as bright as there.
+    -- On a critical curve of the lens the beam is squeezed into a line, and the
+    -- first-order magnification of a star is unbounded. The true value needs more than
+    -- the Jacobian, and a wrong one would sparkle. So within about two pixels of the
+    -- curve, a star is as bright as it is two pixels away.
     !weight = 1 / max area (breadth * min squeezed (4 * sqrt breadth))
     look = lookThrough g extent beam
     go !light [] = light
@@ -177,10 +178,9 @@ starFieldRadiance (StarField tiers) g beam@(Beam (XYZ dx dy dz) a b)
       | otherwise = black
     blurred t = shiftedStars g (skyImageRadiance (tierBlurred t) beam)
 
--- | How slender an ellipse is taken for its word, as the shorter axis over the
--- longer one. Where pixels are fine, so is the change from one to the next, and
--- more slender ones are taken: an Einstein ring of radius ρ has one of δ\/ρ at δ
--- pixels from it.
+-- | The ratio of the beam ellipse's axes, shorter to longer, below which its area is no
+-- longer trusted. For fine pixels the limit is lower: at δ pixels from an Einstein ring
+-- with a radius of ρ pixels, the ratio is δ\/ρ.
 squeezed :: Double
 squeezed = 1 / 60
 
@@ -209,9 +209,9 @@ shiftedMixture temperature = \g light@(Radiance r0 g0 b0) ->
           Radiance r' g' b' = tabulatedColour (temperature * x / max 1e-9 (1 - x))
        in [r' / r, g' / g, b' / b]
 
--- | A beam made ready to look at stars through, the same for all tiers:
--- frequency over that of the star, direction, the two of 'beamAxes', the window,
--- and what a beam that goes beyond one face covers besides.
+-- | A beam prepared for all tiers: the observed frequency over the star's, the
+-- direction, the two vectors of 'beamAxes', the window, and the windows on other faces
+-- for a beam that extends beyond one.
 data Look
   = Look
       !Double
@@ -224,6 +224,14 @@ data Look
 -- | A rectangle of a face of the cube: the face's number, and the least and
 -- greatest of its two coordinates, which on the face are −1 … 1.
 data Window = Window !Int !Double !Double !Double !Double
+  deriving (Eq, Show)
+
+-- | The windows in which stars are looked for through a beam: one, or one on each
+-- face that the beam reaches.
+starWindows :: Beam -> [Window]
+starWindows beam = window : others
+  where
+    Look _ _ _ _ window others = lookThrough 1 (kernelRadius * beamExtent beam) beam
 
 lookThrough :: Double -> Double -> Beam -> Look
 lookThrough g extent beam@(Beam d@(XYZ dx dy dz) (XYZ jx jy jz) (XYZ kx ky kz))
@@ -235,8 +243,8 @@ lookThrough g extent beam@(Beam d@(XYZ dx dy dz) (XYZ jx jy jz) (XYZ kx ky kz))
     !ay = abs dy
     !az = abs dz
     !(p, q) = beamAxes beam
-    -- A star within the kernel lies within this many pixels on the tangent
-    -- plane, on which it stands farther out than on the sphere.
+    -- A star within the kernel lies within this many pixels on the tangent plane, on
+    -- which it is farther out than on the sphere.
     !radius = kernelRadius * (1 + extent * extent)
     -- The usual beam lies within one face.
     onFace face w u v jw ju jv kw ku kv = case rectangle face w u v jw ju jv kw ku kv of

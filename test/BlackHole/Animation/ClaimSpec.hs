@@ -3,7 +3,7 @@ module BlackHole.Animation.ClaimSpec (spec) where
 import BlackHole.Animation.Claim
 import Control.Concurrent (threadDelay)
 import Control.Concurrent.Async (forConcurrently)
-import Control.Monad (forM_)
+import Control.Monad (forM_, when)
 import Data.Time.Clock (addUTCTime)
 import System.Directory
 import System.IO.Temp (withSystemTempDirectory)
@@ -49,18 +49,29 @@ spec = do
     takeClaim (folder (start "17" 0) 60) "a" `shouldReturn` Claimed Nothing
     takeClaim (folder (start "18" 1) 60) "a" `shouldReturn` HeldBy (Just (start "17" 0))
     takeClaim (folder (start "17" 1) 60) "a" `shouldReturn` Claimed (Just (start "17" 0))
+    -- Two processes of one start of a job work side by side.
+    let beside = (start "17" 1) {holderHost = "host9"}
+    takeClaim (folder beside 60) "a" `shouldReturn` HeldBy (Just (start "17" 1))
+    takeClaim (folder (start "17" 0) 60) "a" `shouldReturn` HeldBy (Just (start "17" 1))
   it "is taken from another machine only when it has not been touched for a while" . inFolder $ \folder -> do
     takeClaim (folder (elsewhere 1) 60) "a" `shouldReturn` Claimed Nothing
     age 50 (claimFile (folder (elsewhere 1) 60) "a")
     takeClaim (folder (elsewhere 2) 60) "a" `shouldReturn` HeldBy (Just (elsewhere 1))
     age 20 (claimFile (folder (elsewhere 1) 60) "a")
     takeClaim (folder (elsewhere 2) 60) "a" `shouldReturn` Claimed (Just (elsewhere 1))
+  it "is taken from another machine when it is dated in the future" . inFolder $ \folder -> do
+    takeClaim (folder (elsewhere 1) 60) "a" `shouldReturn` Claimed Nothing
+    age (-30) (claimFile (folder (elsewhere 1) 60) "a")
+    takeClaim (folder (elsewhere 2) 60) "a" `shouldReturn` HeldBy (Just (elsewhere 1))
+    age (-2000000000) (claimFile (folder (elsewhere 1) 60) "a")
+    takeClaim (folder (elsewhere 2) 60) "a" `shouldReturn` Claimed (Just (elsewhere 1))
   it "is kept by touching it" . inFolder $ \folder -> do
     let mine = folder (elsewhere 1) 0.5
     takeClaim mine "a" `shouldReturn` Claimed Nothing
     keepingAlive mine "a" $ do
       age 100 (claimFile mine "a")
-      threadDelay 300000
+      old <- getModificationTime (claimFile mine "a")
+      awaitNewer old (claimFile mine "a")
       takeClaim (folder (elsewhere 2) 60) "a" `shouldReturn` HeldBy (Just (elsewhere 1))
   it "goes to one only of many who find it abandoned at the same time" . inFolder $ \folder ->
     forM_ [1 .. 30 :: Int] $ \n -> do
@@ -85,6 +96,9 @@ spec = do
     elsewhere :: Int -> Holder
     elsewhere n = Holder ("host" ++ show n) "boot" 4711 "1" Nothing
     age seconds path = getModificationTime path >>= setModificationTime path . addUTCTime (negate seconds)
+    awaitNewer old path = do
+      touched <- getModificationTime path
+      when (touched <= old) $ threadDelay 10000 >> awaitNewer old path
     deadProcess = do
       (_, _, _, process) <- createProcess (proc "true" [])
       pid <- getPid process

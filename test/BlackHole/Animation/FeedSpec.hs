@@ -3,7 +3,7 @@ module BlackHole.Animation.FeedSpec (spec) where
 import BlackHole.Animation.Feed
 import BlackHole.Animation.FrameName
 import BlackHole.Animation.Queue (Outcome (..))
-import BlackHole.Animation.Video (VideoKind (Mp4))
+import BlackHole.Animation.Video (VideoCoding (..), VideoKind (Mp4))
 import Data.List (isInfixOf)
 import System.Directory
 import System.FilePath ((</>))
@@ -32,5 +32,5 @@ spec = do
       getPermissions coder >>= setPermissions coder . setOwnerExecutable True
       mapM_ (\n -> writeFile (folder </> (show n ++ ".png")) (picture n)) frames
       case parseFrameName (folder </> "%d.png") of
-        Right name -> startFeed coder Mp4 24 (folder </> "film.mp4") name frames
+        Right name -> startFeed coder (VideoCoding Mp4 Nothing Nothing) 24 (folder </> "film.mp4") name frames
         Left reason -> fail reason

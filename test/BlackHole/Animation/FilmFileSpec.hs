@@ -59,7 +59,7 @@ spec = do
           "    image.width: {0: 100}",
           "    camera.distance: 3",
           "    camera.roll: {interpolation: smoth, 0: 1, 0: 2}",
-          "    camera.field-of-view: {0: 1, 1: 190, x: 3}",
+          "    camera.fov: {0: 1, 1: 390, x: 3}",
           "    disk.opacity: {shortest-turn: true, 0: 1}",
           "    disk.thickness: {}"
         ]
@@ -73,8 +73,8 @@ spec = do
                             (10, "animation.keyframes.camera.distance"),
                             (11, "animation.keyframes.camera.roll.interpolation"),
                             (11, "animation.keyframes.camera.roll.0"),
-                            (12, "animation.keyframes.camera.field-of-view.1"),
-                            (12, "animation.keyframes.camera.field-of-view.x"),
+                            (12, "animation.keyframes.camera.fov.1"),
+                            (12, "animation.keyframes.camera.fov.x"),
                             (13, "animation.keyframes.disk.opacity"),
                             (14, "animation.keyframes.disk.thickness")
                           ]

@@ -6,8 +6,8 @@ import BlackHole.Animation.Interpolate
 import BlackHole.Physics.Angle
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Preset
+import BlackHole.Scene.Problem
 import BlackHole.Scene.Scene
-import BlackHole.Scene.Validate (Problem (..))
 import BlackHole.Vector.XYZ (XYZ (..))
 import Data.Foldable (toList)
 import Test.Hspec
@@ -34,7 +34,7 @@ spec = do
       other -> expectationFailure (show other)
   it "checks its own numbers, all at once" $
     map problemOption (filmProblems (stillFilm defaultScene) {filmFrames = 0, filmRate = 0 / 0, filmShutter = Shutter 2 0})
-      `shouldBe` ["--frames", "--fps", "--shutter", "--shutter-samples"]
+      `shouldBe` ["--duration", "--fps", "--shutter", "--shutter-samples"]
   where
     film = stillFilm defaultScene
     -- The distance is 30 at first, 5 less each second.

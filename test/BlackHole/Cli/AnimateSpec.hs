@@ -3,7 +3,6 @@ module BlackHole.Cli.AnimateSpec (spec) where
 import BlackHole.Animation.Film
 import BlackHole.Cli.Animate
 import BlackHole.Cli.FilmScene
-import BlackHole.Cli.Run
 import BlackHole.Cli.SceneOptions
 import BlackHole.Scene.Preset
 import Control.Monad (forM_)
@@ -11,6 +10,7 @@ import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Char8
 import Data.List (isPrefixOf)
 import Options.Applicative
+import Support.Program (quietly)
 import System.Directory
 import System.Exit (ExitCode (..))
 import System.FilePath ((</>))
@@ -21,8 +21,8 @@ spec :: Spec
 spec = do
   it "makes each frame as render would make its scene" . inFolder $ \folder -> do
     writeFilm folder ["animation: {frames: 3, fps: 1, keyframes: {camera.azimuth: {0: 90, 2: 100}}}"]
-    run ["animate", folder </> "film.yaml", "-o", folder </> "%d.png"] `shouldReturn` ExitSuccess
-    run ["render", folder </> "film.yaml", "--azimuth", "95", "-o", folder </> "alone.png"] `shouldReturn` ExitSuccess
+    quietly ["animate", folder </> "film.yaml", "-o", folder </> "%d.png"] `shouldReturn` ExitSuccess
+    quietly ["render", folder </> "film.yaml", "--azimuth", "95", "-o", folder </> "alone.png"] `shouldReturn` ExitSuccess
     alone <- Bytes.readFile (folder </> "alone.png")
     Bytes.readFile (folder </> "1.png") `shouldReturn` alone
     first <- Bytes.readFile (folder </> "0.png")
@@ -30,28 +30,28 @@ spec = do
   it "makes frames with an open shutter that can be rendered from themselves" . inFolder $ \folder -> do
     writeFilm folder ["animation: {frames: 2, fps: 1, shutter: 0.5, shutter-samples: 3, keyframes: {camera.azimuth: {0: 90, 2: 100}, camera.roll: {0: 0, 2: 9}}}"]
     forM_ [".png", ".exr"] $ \extension -> do
-      run ["animate", folder </> "film.yaml", "-o", folder </> ("%d" ++ extension)] `shouldReturn` ExitSuccess
-      run ["render", "--from", folder </> ("1" ++ extension), "-o", folder </> ("again" ++ extension)] `shouldReturn` ExitSuccess
+      quietly ["animate", folder </> "film.yaml", "-o", folder </> ("%d" ++ extension)] `shouldReturn` ExitSuccess
+      quietly ["render", "--from", folder </> ("1" ++ extension), "-o", folder </> ("again" ++ extension)] `shouldReturn` ExitSuccess
       frame <- Bytes.readFile (folder </> ("1" ++ extension))
       Bytes.readFile (folder </> ("again" ++ extension)) `shouldReturn` frame
-    run ["render", "--from", folder </> "1.png", "--tile", "1/2", "-o", folder </> "a.tile"] `shouldReturn` ExitFailure 3
+    quietly ["render", "--from", folder </> "1.png", "--tile", "1/2", "-o", folder </> "a.tile"] `shouldReturn` ExitFailure 3
   it "renders a shard, a range, and then the rest" . inFolder $ \folder -> do
     writeFilm folder ["animation: {frames: 5, camera-path: {kind: orbit}}"]
-    let frames arguments = run (["animate", folder </> "film.yaml", "-o", folder </> "f" </> "%d.png"] ++ arguments)
+    let frames arguments = quietly (["animate", folder </> "film.yaml", "-o", folder </> "f" </> "%d.png"] ++ arguments)
         there = filter ((/= '.') . headOr '.') <$> listDirectory (folder </> "f")
     frames ["--shard", "2/3"] `shouldReturn` ExitSuccess
     there >>= (`shouldMatchList` ["1.png", "4.png"])
-    run ["animate", "--status", folder </> "f"] `shouldReturn` ExitFailure 5
-    frames ["--frames", "2-3"] `shouldReturn` ExitSuccess
+    quietly ["animate", "--status", folder </> "f"] `shouldReturn` ExitFailure 5
+    frames ["--frame-range", "2-3"] `shouldReturn` ExitSuccess
     there >>= (`shouldMatchList` ["1.png", "2.png", "3.png", "4.png"])
     time <- getModificationTime (folder </> "f" </> "1.png")
     frames [] `shouldReturn` ExitSuccess
     getModificationTime (folder </> "f" </> "1.png") `shouldReturn` time
-    run ["animate", "--status", folder </> "f"] `shouldReturn` ExitSuccess
+    quietly ["animate", "--status", folder </> "f"] `shouldReturn` ExitSuccess
   it "goes on after a frame that cannot be written, and says so by its exit code" . inFolder $ \folder -> do
     writeFilm folder ["animation: {frames: 3}"]
     createDirectoryIfMissing True (folder </> "f" </> "1.png")
-    run ["animate", folder </> "film.yaml", "-o", folder </> "f" </> "%d.png"] `shouldReturn` ExitFailure 5
+    quietly ["animate", folder </> "film.yaml", "-o", folder </> "f" </> "%d.png"] `shouldReturn` ExitFailure 5
     mapM (\n -> doesFileExist (folder </> "f" </> (show n ++ ".png"))) [0 :: Int, 1, 2] `shouldReturn` [True, False, True]
   describe "mistakes" $ do
     fails 3 [] ["animation: {frames: 3, fsp: 3}"]
@@ -60,8 +60,8 @@ spec = do
     fails 3 [] []
     fails 3 ["--fps", "0"] ["animation: {frames: 3}"]
     fails 3 ["--shutter", "1.5"] ["animation: {frames: 3}"]
-    fails 2 ["--frames", "3"] ["animation: {frames: 3}"]
-    fails 2 ["--frames", "2-1"] ["animation: {frames: 3}"]
+    fails 2 ["--frame-range", "3"] ["animation: {frames: 3}"]
+    fails 2 ["--frame-range", "2-1"] ["animation: {frames: 3}"]
     fails 2 ["--shard", "4/3"] ["animation: {frames: 3}"]
     fails 2 ["--video", "film.avi"] ["animation: {frames: 3}"]
     fails 2 ["--video", "film.mp4", "--shard", "1/3"] ["animation: {frames: 3}"]
@@ -87,7 +87,7 @@ spec = do
     fails code arguments text =
       it (unwords ("animate" : arguments ++ text) ++ " exits with " ++ show code ++ " and writes nothing") . inFolder $ \folder -> do
         writeFilm folder text
-        run (["animate", folder </> "film.yaml", "-o", folder </> "%d.png"] ++ arguments) `shouldReturn` ExitFailure code
+        quietly (["animate", folder </> "film.yaml", "-o", folder </> "%d.png"] ++ arguments) `shouldReturn` ExitFailure code
         filter (not . ("film" `isPrefixOf`)) <$> listDirectory folder `shouldReturn` []
     adjusted arguments =
       (\options -> let film = adjustFilm options (stillFilm defaultScene) in (filmFrames film, filmRate film))

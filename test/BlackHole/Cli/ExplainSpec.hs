@@ -7,6 +7,7 @@ import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Validate (renderProblem)
 import BlackHole.Trace.Explain
+import BlackHole.Trace.Pixel (tracer)
 import Data.Foldable (for_)
 import Data.List (isInfixOf)
 import Test.Hspec
@@ -25,14 +26,14 @@ spec = do
   it "a pixel outside the picture is one problem that names option, value and range" $
     for_ [(16, 0), (0, 9), (-1, 3), (3, -1)] $ \(x, y) ->
       map renderProblem (pixelProblems (Picture 16 9) (x, y))
-        `shouldBe` ["--pixel: " ++ show x ++ "," ++ show y ++ " is not X,Y with X from 0 to 15 and Y from 0 to 8, counted from the top left"]
+        `shouldBe` ["--pixel: " ++ show x ++ "," ++ show y ++ " is not a pixel of this picture: X from 0 to 15, Y from 0 to 8, counted from the top left"]
   it "a pixel inside is none" $
     concatMap (pixelProblems (Picture 16 9)) [(0, 0), (15, 8)] `shouldBe` []
   it "says everything that was asked for" $ do
     let text = explained defaultScene 4 5
     for_
       [ "pixel 4,5 of 16 x 9",
-        "direction of sight",
+        "direction",
         "impact parameter b",
         "angular momentum h",
         "static observer",
@@ -44,15 +45,15 @@ spec = do
         "from the gas",
         "from the sky",
         "samples",
-        "mean of samples",
+        "mean radiance of the samples",
         "exposed by 0 stops",
         "tone map film",
         "sRGB codes"
       ]
       $ \part -> text `shouldSatisfy` isInfixOf part
   it "does not speak of samples where there is one" $
-    explained defaultScene {sceneSamples = 1} 4 5 `shouldSatisfy` not . isInfixOf "mean of samples"
+    explained defaultScene {sceneSamples = 1} 4 5 `shouldSatisfy` not . isInfixOf "mean radiance of the samples"
   where
     explained scene x y =
       let small = scene {scenePicture = Picture 16 9}
-       in maybe "" (unlines . explanationLines small) (explainPixel small x y)
+       in maybe "" (unlines . explanationLines small) (tracer small >>= \traced -> explainPixel traced x y)

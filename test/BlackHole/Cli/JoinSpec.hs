@@ -1,12 +1,12 @@
 module BlackHole.Cli.JoinSpec (spec) where
 
 import BlackHole.Cli.Join
-import BlackHole.Cli.Run
 import Control.Monad (forM_)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Characters
 import Data.Either (fromLeft)
 import Data.List (isInfixOf)
+import Support.Program (quietly)
 import Support.Tool
 import System.Directory (doesFileExist)
 import System.Exit (ExitCode (..))
@@ -16,17 +16,17 @@ import Test.Hspec
 
 spec :: Spec
 spec = do
-  it "makes the file that one run makes, byte for byte" . inFolder $ \folder -> do
-    run (small ++ ["-o", folder </> "whole.png"]) `shouldReturn` ExitSuccess
+  it "makes the file that one quietly makes, byte for byte" . inFolder $ \folder -> do
+    quietly (small ++ ["-o", folder </> "whole.png"]) `shouldReturn` ExitSuccess
     mapM_ (\i -> tile folder small i 3 `shouldReturn` ExitSuccess) [1 .. 3]
-    run ["join", folder </> "2.tile", folder </> "3.tile", folder </> "1.tile", "-o", folder </> "joined.png"] `shouldReturn` ExitSuccess
+    quietly ["join", folder </> "2.tile", folder </> "3.tile", folder </> "1.tile", "-o", folder </> "joined.png"] `shouldReturn` ExitSuccess
     whole <- Bytes.readFile (folder </> "whole.png")
     Bytes.readFile (folder </> "joined.png") `shouldReturn` whole
   it "does so in every format, and with bloom" . inFolder $ \folder -> do
     let same arguments coding extension = do
-          run (plain ++ arguments ++ coding ++ ["-o", folder </> "whole" ++ extension]) `shouldReturn` ExitSuccess
+          quietly (plain ++ arguments ++ coding ++ ["-o", folder </> "whole" ++ extension]) `shouldReturn` ExitSuccess
           mapM_ (\i -> tile folder (plain ++ arguments) i 2 `shouldReturn` ExitSuccess) [1, 2]
-          run (["join", folder </> "1.tile", folder </> "2.tile", "-o", folder </> "joined" ++ extension] ++ coding) `shouldReturn` ExitSuccess
+          quietly (["join", folder </> "1.tile", folder </> "2.tile", "-o", folder </> "joined" ++ extension] ++ coding) `shouldReturn` ExitSuccess
           whole <- Bytes.readFile (folder </> "whole" ++ extension)
           Bytes.readFile (folder </> "joined" ++ extension) `shouldReturn` whole
     same [] ["--bits", "16"] ".png"
@@ -40,10 +40,10 @@ spec = do
   it "makes the same OpenEXR layers, numbers of samples included" . inFolder $ \folder ->
     forM_ [["--samples", "3"], ["--samples", "4", "--noise", "0.02", "--bloom", "0.1"]] $ \sampling -> do
       let arguments = ["render", "--width", "40"] ++ sampling
-      run (arguments ++ ["-o", folder </> "whole.exr"]) `shouldReturn` ExitSuccess
+      quietly (arguments ++ ["-o", folder </> "whole.exr"]) `shouldReturn` ExitSuccess
       mapM_ (\i -> tile folder arguments i 3 `shouldReturn` ExitSuccess) [1 .. 3]
-      run ["join", folder </> "1.tile", folder </> "2.tile", folder </> "3.tile", "-o", folder </> "joined.exr"] `shouldReturn` ExitSuccess
-      run ["render", "--from", folder </> "joined.exr", "--threads", "2", "--keep-partial", "-o", folder </> "again.exr"] `shouldReturn` ExitSuccess
+      quietly ["join", folder </> "1.tile", folder </> "2.tile", folder </> "3.tile", "-o", folder </> "joined.exr"] `shouldReturn` ExitSuccess
+      quietly ["render", "--from", folder </> "joined.exr", "--threads", "2", "--keep-partial", "-o", folder </> "again.exr"] `shouldReturn` ExitSuccess
       whole <- Bytes.readFile (folder </> "whole.exr")
       mapM (Bytes.readFile . (folder </>)) ["joined.exr", "again.exr"] `shouldReturn` [whole, whole]
       withTool "exrheader" $ \tool -> do
@@ -64,15 +64,15 @@ spec = do
     complaints paths `shouldReturn` [folder </> "2.tile: damaged; render this tile again"]
     Bytes.writeFile (folder </> "2.tile") start
     complaints paths >>= (`shouldSatisfy` any ("incomplete" `isInfixOf`))
-    complaints (paths ++ [folder </> "4.tile"]) >>= (`shouldSatisfy` any ("can't be read" `isInfixOf`))
-    run ("join" : "-o" : (folder </> "joined.png") : paths) `shouldReturn` ExitFailure 3
+    complaints (paths ++ [folder </> "4.tile"]) >>= (`shouldSatisfy` any ("cannot be read" `isInfixOf`))
+    quietly ("join" : "-o" : (folder </> "joined.png") : paths) `shouldReturn` ExitFailure 3
     doesFileExist (folder </> "joined.png") `shouldReturn` False
   it "wants tile files to be called so, and no more tiles than rows" . inFolder $ \folder -> do
-    run (plain ++ ["--tile", "1/2", "-o", folder </> "a.png"]) `shouldReturn` ExitFailure 2
-    run (plain ++ ["--tile", "3/2", "-o", folder </> "a.tile"]) `shouldReturn` ExitFailure 2
+    quietly (plain ++ ["--tile", "1/2", "-o", folder </> "a.png"]) `shouldReturn` ExitFailure 2
+    quietly (plain ++ ["--tile", "3/2", "-o", folder </> "a.tile"]) `shouldReturn` ExitFailure 2
     tile folder plain 1 19 `shouldReturn` ExitFailure 2
   where
     inFolder = withSystemTempDirectory "blackhole-spec"
     small = ["render", "--width", "24", "--samples", "1"]
     plain = ["render", "--width", "32", "--samples", "1", "--no-gravity", "--no-disk", "--sky", "grid"]
-    tile folder arguments i n = run (arguments ++ ["--tile", show (i :: Int) ++ "/" ++ show (n :: Int), "-o", folder </> (show i ++ ".tile")])
+    tile folder arguments i n = quietly (arguments ++ ["--tile", show (i :: Int) ++ "/" ++ show (n :: Int), "-o", folder </> (show i ++ ".tile")])

@@ -1,7 +1,8 @@
 module BlackHole.Cli.PhotonSpec (spec) where
 
+import BlackHole.Cli.Options (Parsed (..), parseArguments)
 import BlackHole.Cli.Photon
-import BlackHole.Scene.Validate (Problem (..), renderProblem)
+import BlackHole.Scene.Problem
 import qualified Data.ByteString.Lazy.Char8 as Lazy
 import Data.List (isInfixOf, isPrefixOf)
 import Data.Maybe (mapMaybe)
@@ -48,16 +49,55 @@ spec = do
       errors <- mapM (\l -> abs <$> at ["error", "deflection"] (camera ++ ["--integrator", "leapfrog", "--step", l])) ["0.16", "0.08", "0.04"]
       zipWith (/) errors (drop 1 errors) `shouldSatisfy` all (\q -> abs (q - 4) < 0.6)
   describe "the table" $ do
-    it "has a row for each value" $ do
-      rows <- lines <$> text camera
-      map (takeWhile (/= ' ')) rows
-        `shouldBe` ["fate", "impactParameter", "sweptAngle", "deflection", "closestApproach"]
-          ++ ["crossings[" ++ n ++ "]." ++ key | n <- ["1", "2"], key <- ["r", "azimuth", "g"]]
-          ++ ["steps", "angularMomentumDrift", "energyDrift"]
-    it "has three columns for the leapfrog" $ do
-      rows <- lines <$> text (camera ++ ["--integrator", "leapfrog"])
-      take 1 rows `shouldSatisfy` all (\r -> words r == ["leapfrog", "exact", "error"])
-      map (length . words) (drop 1 rows) `shouldSatisfy` all (== 4)
+    it "has a row for each value, with its unit" $ do
+      rows <- takeWhile (not . null) . lines <$> text camera
+      map (\row -> (takeWhile (/= "") (cells row), last (words row))) rows
+        `shouldSatisfy` \found ->
+          [(name, unit) | (name : _, unit) <- found, unit `elem` ["r_s", "rad"]]
+            == [("impact parameter", "r_s"), ("swept angle", "rad"), ("deflection", "rad"), ("closest approach", "r_s")]
+              ++ concat [[("crossing " ++ n ++ ", r", "r_s"), ("crossing " ++ n ++ ", azimuth", "rad")] | n <- ["1", "2"]]
+      map (take 1 . cells) rows `shouldContain` [["crossing 1, g"]]
+      length rows `shouldBe` 14
+    it "explains r_s and, if there are crossings, g" $ do
+      text camera >>= (`shouldSatisfy` \shown -> "r_s is the Schwarzschild radius" `isInfixOf` shown && "g is the frequency" `isInfixOf` shown)
+      text ["--psi", "10", "--inclination", "90"] >>= (`shouldSatisfy` not . isInfixOf "g is the frequency")
+    it "has a column each for another method, the exact values and the errors" $
+      mapM_
+        ( \name -> do
+            rows <- takeWhile (not . null) . lines <$> text (camera ++ ["--integrator", name])
+            map words (take 1 rows) `shouldBe` [[name, "exact", "error"]]
+            map (length . cells) (drop 1 rows) `shouldSatisfy` all (`elem` [4, 5])
+        )
+        ["leapfrog", "table"]
+  describe "defaults" $ do
+    it "stand in for all options but --psi" $ do
+      brief <- text ["--psi", "10"]
+      text ["--distance", "30", "--inclination", "82", "--psi", "10", "--eta", "0", "--integrator", "exact"] `shouldReturn` brief
+    it "are those that the help names" $
+      case parseArguments "v" ["help", "photon"] of
+        Inform shown -> mapM_ (\part -> unwords (words shown) `shouldSatisfy` isInfixOf part) ["with --psi (default: 30)", "goes to (default: 82)", "up (default: 0)", "(default: exact)"]
+        other -> expectationFailure (show other)
+  describe "--integrator table" $ do
+    it "follows the path that the renderer follows, within its error" $
+      mapM_
+        ( \arguments -> do
+            report <- json (arguments ++ ["--integrator", "table"])
+            mapM_
+              ( \path -> case (numberAt path report, numberAt ("exact" : path) report) of
+                  (Just tabulated, Just exact) -> do
+                    tabulated `shouldBeWithin` (1e-5, exact)
+                    -- It is another calculation, not the same one again.
+                    (path, tabulated == exact) `shouldBe` (path, False)
+                  other -> expectationFailure (show (path, other))
+              )
+              [["sweptAngle"], ["deflection"], ["closestApproach"]]
+        )
+        [["--psi", "10"], camera, ["--psi", "90", "--distance", "3"]]
+    it "knows light that falls in" $ do
+      report <- json ["--psi", "2", "--integrator", "table"]
+      member "fate" report `shouldBe` Just (Text "captured")
+    it "follows light that goes straight away or straight in" $
+      mapM_ (\psi -> json ["--psi", psi, "--integrator", "table"] >>= \report -> numberAt ["error", "sweptAngle"] report `shouldBe` Just 0) ["0", "180"]
   describe "--path" $ do
     it "is a table of angles and places, from start to end" $ do
       rows <- lines . Lazy.unpack <$> csv camera
@@ -75,12 +115,13 @@ spec = do
     refuses ["--impact=-1"] [("--impact", "-1")]
     refuses ["--impact", "nan"] [("--impact", "NaN")]
     refuses ["--impact", "inf"] [("--impact", "Infinity")]
-    refuses [] [("--impact", "nothing")]
-    refuses ("--impact" : "3" : camera) [("--impact", "together with --distance or --psi")]
+    refuses [] [("--psi", "missing; give --psi DEGREES for a line of sight, or --impact B for light from infinity")]
+    refuses ("--impact" : "3" : camera) [("--impact", "cannot be combined with --psi or --distance")]
+    refuses ["--impact", "3", "--distance", "9"] [("--impact", "cannot be combined with --psi or --distance")]
+    refuses ["--impact", "3", "--integrator", "table"] [("--integrator", "table applies only with --psi; it holds the paths that start at the camera's distance")]
     refuses ["--distance", "1", "--inclination", "80", "--psi", "10", "--eta", "0"] [("--distance", "1")]
-    refuses ["--distance", "20"] [("--inclination", "nothing"), ("--psi", "nothing"), ("--eta", "nothing")]
-    refuses ["--distance", "20", "--inclination", "181", "--psi=-1", "--eta", "nan"] [("--inclination", "181"), ("--psi", "-1"), ("--eta", "NaN")]
-    refuses ["--impact", "3", "--step", "0.1"] [("--step", "0.1")]
+    refuses ["--distance", "20", "--inclination", "181", "--psi=-1", "--eta", "nan"] [("--psi", "-1"), ("--inclination", "181"), ("--eta", "NaN")]
+    refuses ["--impact", "3", "--step", "0.1"] [("--step", "0.1 has no effect; it applies only with --integrator leapfrog")]
     refuses ["--impact", "3", "--integrator", "leapfrog", "--step", "0"] [("--step", "0")]
     refuses ["--impact", "3", "--path", ""] [("--path", "an empty name")]
     it "in one line" $ case resolvePhoton <$> parsed ["--impact=-1"] of
@@ -100,6 +141,16 @@ spec = do
       printed <- outcomeText True <$> outcome arguments
       maybe (fail ("not JSON: " ++ printed)) pure (readJson printed)
     at path arguments = json arguments >>= maybe (fail "no number there") pure . numberAt path
+    -- Cells of a row: parts with at least two blanks between them.
+    cells row = case row of
+      "" -> []
+      ' ' : ' ' : rest -> "" : cells (dropWhile (== ' ') rest)
+      _ -> case splitCell row of
+        (cell, rest) -> cell : cells (dropWhile (== ' ') rest)
+    splitCell row = case row of
+      "" -> ("", "")
+      ' ' : ' ' : rest -> ("", rest)
+      c : rest -> let (cell, more) = splitCell rest in (c : cell, more)
     keys report = case report of
       Object members -> map fst members
       _ -> []

@@ -2,7 +2,7 @@ module BlackHole.Cli.RaysSpec (spec) where
 
 import BlackHole.Cli.Rays
 import BlackHole.Figure.RayFan
-import BlackHole.Scene.Validate (Problem (..))
+import BlackHole.Scene.Problem
 import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.ByteString.Lazy.Char8 as Characters
 import Options.Applicative

@@ -1,14 +1,12 @@
 -- | Panoramas from the command line and scene files to the picture.
 module BlackHole.Cli.SkyFileSpec (spec) where
 
-import BlackHole.Cli.Run (run)
 import BlackHole.Cli.SceneOptions
 import BlackHole.Cli.SkyFile
 import BlackHole.Scene.Field.Kind (Value (..))
 import BlackHole.Scene.Preset (defaultScene)
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Setting
-import BlackHole.Scene.Sky
 import BlackHole.Trace.Sky (neededPicture)
 import BlackHole.Trace.SkyImage (skyImageMean)
 import Codec.Picture
@@ -16,6 +14,7 @@ import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Characters
 import Data.List (isInfixOf)
 import Data.List.NonEmpty (NonEmpty (..))
+import Support.Program (quietly)
 import System.Directory (doesFileExist, getModificationTime, removeFile, setModificationTime)
 import System.Exit (ExitCode (..))
 import System.FilePath ((</>))
@@ -38,42 +37,42 @@ spec = do
     scene ["kind: satrs"] `shouldSatisfy` either (any ("did you mean stars?" `isInfixOf`)) (const False)
     scene ["kind: \"a\\nb.png\""] `shouldSatisfy` either (const True) (const False)
     fmap neededPicture (scene ["kind: ./stars"]) `shouldBe` Right (Just "./stars")
-    fmap sceneSky (scene ["kind: STARS"]) `shouldBe` Right (SkyStars realSky)
+    fmap sceneSky (scene ["kind: STARS"]) `shouldBe` Right (sceneSky defaultScene)
   it "renders it, again from its own picture, in tiles, and explains it" . inFolder $ \folder -> do
-    run (picture folder "whole.png") `shouldReturn` ExitSuccess
-    run ["render", "--from", folder </> "whole.png", "-o", folder </> "again.png"] `shouldReturn` ExitSuccess
+    quietly (picture folder "whole.png") `shouldReturn` ExitSuccess
+    quietly ["render", "--from", folder </> "whole.png", "-o", folder </> "again.png"] `shouldReturn` ExitSuccess
     same folder "whole.png" "again.png"
-    run (picture folder "one.png" ++ ["--threads", "1"]) `shouldReturn` ExitSuccess
+    quietly (picture folder "one.png" ++ ["--threads", "1"]) `shouldReturn` ExitSuccess
     same folder "whole.png" "one.png"
-    run (picture folder "1.tile" ++ ["--tile", "1/2"]) `shouldReturn` ExitSuccess
-    run (picture folder "2.tile" ++ ["--tile", "2/2"]) `shouldReturn` ExitSuccess
-    run ["join", folder </> "1.tile", folder </> "2.tile", "-o", folder </> "joined.png"] `shouldReturn` ExitSuccess
+    quietly (picture folder "1.tile" ++ ["--tile", "1/2"]) `shouldReturn` ExitSuccess
+    quietly (picture folder "2.tile" ++ ["--tile", "2/2"]) `shouldReturn` ExitSuccess
+    quietly ["join", folder </> "1.tile", folder </> "2.tile", "-o", folder </> "joined.png"] `shouldReturn` ExitSuccess
     same folder "whole.png" "joined.png"
     -- A turn moves what is seen.
-    run (picture folder "turned.png" ++ ["--sky-rotation", "90"]) `shouldReturn` ExitSuccess
+    quietly (picture folder "turned.png" ++ ["--sky-rotation", "90"]) `shouldReturn` ExitSuccess
     whole <- Bytes.readFile (folder </> "whole.png")
     Bytes.readFile (folder </> "turned.png") >>= (`shouldSatisfy` (/= whole))
     -- Tiles under another sky do not belong to it.
     writePng (folder </> "sky.png") (chart 9)
-    run (picture folder "2.tile" ++ ["--tile", "2/2"]) `shouldReturn` ExitSuccess
-    run ["join", folder </> "1.tile", folder </> "2.tile", "-o", folder </> "other.png"] `shouldReturn` ExitFailure 3
+    quietly (picture folder "2.tile" ++ ["--tile", "2/2"]) `shouldReturn` ExitSuccess
+    quietly ["join", folder </> "1.tile", folder </> "2.tile", "-o", folder </> "other.png"] `shouldReturn` ExitFailure 3
   it "ends with the code of bad input and writes nothing where the file is none" . inFolder $ \folder -> do
     let refused = do
-          run (picture folder "x.png") `shouldReturn` ExitFailure 3
-          run (picture folder "x.png" ++ ["--pixel", "1,1"]) `shouldReturn` ExitFailure 3
-          run ["scene", "check", folder </> "film.yaml"] `shouldReturn` ExitFailure 3
+          quietly (picture folder "x.png") `shouldReturn` ExitFailure 3
+          quietly (takeWhile (/= "-o") (picture folder "x.png") ++ ["--pixel", "1,1"]) `shouldReturn` ExitFailure 3
+          quietly ["scene", "check", folder </> "film.yaml"] `shouldReturn` ExitFailure 3
           doesFileExist (folder </> "x.png") `shouldReturn` False
-    run ["scene", "check", folder </> "film.yaml"] `shouldReturn` ExitSuccess
+    quietly ["scene", "check", folder </> "film.yaml"] `shouldReturn` ExitSuccess
     writePng (folder </> "sky.png") (generateImage (\_ _ -> PixelRGB8 1 2 3) 9 9)
     refused
     Characters.writeFile (folder </> "sky.png") (Characters.pack "no picture")
     refused
     removeFile (folder </> "sky.png")
     refused
-    run ["render", "--sky", "/dev/zero", "-o", folder </> "x.png"] `shouldReturn` ExitFailure 3
-    run ["render", "--sky", folder ++ "/", "-o", folder </> "x.png"] `shouldReturn` ExitFailure 3
+    quietly ["render", "--sky", "/dev/zero", "-o", folder </> "x.png"] `shouldReturn` ExitFailure 3
+    quietly ["render", "--sky", folder ++ "/", "-o", folder </> "x.png"] `shouldReturn` ExitFailure 3
   it "makes frames stale by the file's contents, not by its date" . inFolder $ \folder -> do
-    let film = run ["animate", folder </> "film.yaml", "-o", folder </> "%d.png"] `shouldReturn` ExitSuccess
+    let film = quietly ["animate", folder </> "film.yaml", "-o", folder </> "%d.png"] `shouldReturn` ExitSuccess
         frame = Bytes.readFile (folder </> "1.png")
     film
     former <- frame

@@ -1,10 +1,10 @@
 module BlackHole.Cli.SoakSpec (spec) where
 
-import BlackHole.Cli.Run
 import Control.Exception (IOException, try)
 import Control.Monad (replicateM_)
 import Data.Char (isDigit)
 import Data.List (isPrefixOf)
+import Support.Program (quietly)
 import System.Exit (ExitCode (..))
 import System.FilePath ((</>))
 import System.IO.Temp (withSystemTempDirectory)
@@ -15,7 +15,7 @@ spec :: Spec
 spec =
   it "500 renders in one process take no more memory than 100" $
     withSystemTempDirectory "blackhole-spec" $ \folder -> do
-      let once = run ["render", "--width", "8", "--samples", "1", "--sky", "none", "--no-disk", "--integrator", "exact", "--quiet", "-o", folder </> "a.png"] `shouldReturn` ExitSuccess
+      let once = quietly ["render", "--width", "8", "--samples", "1", "--sky", "none", "--no-disk", "--integrator", "exact", "--quiet", "-o", folder </> "a.png"] `shouldReturn` ExitSuccess
       replicateM_ 100 once
       early <- residentKilobytes
       replicateM_ 400 once

@@ -197,7 +197,8 @@ latter = Lazy.fromStrict (Char8.pack "latter")
 inFolder :: (FilePath -> IO ()) -> IO ()
 inFolder = deadline . withSystemTempDirectory "blackhole-spec"
   where
-    deadline = timeout 20000000 >=> (`shouldBe` Just ())
+    -- What is not done after ten minutes hangs.
+    deadline = timeout 600000000 >=> (`shouldBe` Just ())
 
 refusedWith :: WriteProblem -> FilePath -> Expectation
 refusedWith problem path = do

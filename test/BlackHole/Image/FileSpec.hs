@@ -44,8 +44,8 @@ spec = do
             then withTool "oiiotool" $ \tool -> do
               text <- toolOutput tool ["--info", file]
               Characters.unpack text `shouldSatisfy` isInfixOf (show width ++ " x   " ++ show height)
-            else withTool "identify" $ \tool ->
-              toolOutput tool ["-format", "%w %h", file] `shouldReturn` Characters.pack (show width ++ " " ++ show height)
+            else withImageMagick "identify" $ \identify ->
+              identify ["-format", "%w %h", file] `shouldReturn` Characters.pack (show width ++ " " ++ show height)
   describe "decoded" $ do
     it "PNG in 16 bits has every code, by JuicyPixels and by ImageMagick" $ do
       codes <- toPixelVector <$> developFilmFinely oneWorker exposure ToneFilm film
@@ -54,8 +54,8 @@ spec = do
         case picture of
           Right (ImageRGB16 image) -> imageData image == codes `shouldBe` True
           _ -> expectationFailure "this is no 16-bit RGB PNG"
-        withTool "convert" $ \tool -> do
-          raw <- toolOutput tool [file, "-depth", "16", "-endian", "MSB", "rgb:-"]
+        withImageMagick "convert" $ \convert -> do
+          raw <- convert [file, "-depth", "16", "-endian", "MSB", "rgb:-"]
           words16 raw == Vector.toList codes `shouldBe` True
     it "TIFF in 16 bits has every code, by JuicyPixels and by ImageMagick" $ do
       codes <- toPixelVector <$> developFilmFinely oneWorker exposure ToneFilm film
@@ -64,8 +64,8 @@ spec = do
         case picture of
           Right (ImageRGB16 image) -> imageData image == codes `shouldBe` True
           _ -> expectationFailure "this is no 16-bit RGB TIFF"
-        withTool "convert" $ \tool -> do
-          raw <- toolOutput tool [file, "-depth", "16", "-endian", "MSB", "rgb:-"]
+        withImageMagick "convert" $ \convert -> do
+          raw <- convert [file, "-depth", "16", "-endian", "MSB", "rgb:-"]
           words16 raw == Vector.toList codes `shouldBe` True
     it "JPEG is near the developed picture" $ do
       let gentle = arrayOf 3 (Vector.generate (3 * width * height) (\i -> fromIntegral ((i `quot` 3) `rem` width) / fromIntegral (width * (1 + i `rem` 3))))
@@ -124,6 +124,9 @@ spec = do
     it "has the standard's values" $
       map (halfBits . castFloatToWord32) [0, 1, -2, 65504, 65519, 65520, 1e9, 1 / 0, 2 ** (-14), 2 ** (-24), 2 ** (-25), 1.5 * 2 ** (-24), 0.1]
         `shouldBe` [0, 0x3c00, 0xc000, 0x7bff, 0x7bff, 0x7bff, 0x7bff, 0x7c00, 0x0400, 0x0001, 0x0000, 0x0002, 0x2e66]
+    it "rounds ties to even, above and below the smallest normal number" $ do
+      [halfBits (castFloatToWord32 (1 + n / 2048)) | n <- [1, 3, 5, 7, 2047]] `shouldBe` [0x3c00, 0x3c02, 0x3c02, 0x3c04, 0x4000]
+      [halfBits (castFloatToWord32 (n * 2 ** (-25))) | n <- [1, 3, 5, 7]] `shouldBe` [0, 2, 2, 4]
     it "is the nearest there is" $
       property $
         forAll (choose (-20, 15)) $ \e -> forAll (choose (1, 2)) $ \m ->

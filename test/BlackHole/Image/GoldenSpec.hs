@@ -7,6 +7,7 @@ import BlackHole.Physics.Spacetime
 import BlackHole.Render.Film
 import BlackHole.Render.Workers
 import BlackHole.Scene.Camera (Picture (..))
+import BlackHole.Scene.Disk
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Sky
@@ -22,6 +23,10 @@ spec = do
   golden "grid" small {sceneDisk = Nothing, sceneSky = SkyGrid}
   golden "debug-textures" (sized reportScene) {sceneDebugTextures = True}
   golden "no-gravity" small {sceneSpacetime = Flat}
+  -- Later, with both patterns of turbulence in the disk and the arms turned.
+  golden "later" small {sceneDisk = Just defaultDisk {diskTime = 14}, sceneSky = SkyNone}
+  golden "later-report" (sized reportScene) {sceneDisk = Just reportDisk {diskTime = 9, diskTurbulence = 1}}
+  golden "point-stars" small {sceneDisk = Nothing, sceneSky = SkyRandomStars defaultPointStars {pointStarsMilkyWay = 0.3}}
   where
     small = sized defaultScene
     sized scene = scene {scenePicture = Picture 160 90, sceneSamples = 1}

@@ -40,6 +40,12 @@ spec = do
       forAll ((,,) <$> inRange 0 0.3 <*> inRange 0.3 0.6 <*> inRange 0.6 8) $ \(low, between, high) ->
         let Radiance r g b = applyToneMap tone (Radiance high between low)
          in closeTo 1e-9 (place high between low) (place r g b)
+  it "film keeps the ratio of the primaries up to half of white, and gives it up near white" $ do
+    let ratio (Radiance r _ b) = b / r
+        shown stops = ratio (applyToneMap ToneFilm (scaleRadiance (2 ** stops) (Radiance 1 0.6 0.25)))
+    mapM_ (\stops -> shown stops `shouldSatisfy` (\q -> q > 0.25 && q < 0.3)) [-6, -4, -2, -0.5]
+    shown 2 `shouldSatisfy` (> 0.5)
+    shown 4 `shouldSatisfy` (> 0.95)
   it "turn the hue of glowing gas by little" $
     -- In OKLab, of black bodies over nine stops, where colour is left to see.
     mapM_

@@ -29,8 +29,8 @@ spec = do
     complains "--distance" "1" (posed (Around 1 (Degrees 80) (Degrees 0)))
     complains "--distance" "0.5" (posed (Around 0.5 (Degrees 80) (Degrees 0)))
     complains "--inclination" "200" (posed (Around 9 (Degrees 200) (Degrees 0)))
-    complains "--camera" "0,0,0.9" (posed (LookAt (XYZ 0 0 0.9) (XYZ 0 0 0)))
-    complains "--camera" "NaN,1,2" (posed (LookAt (XYZ (0 / 0) 1 2) (XYZ 0 0 0)))
+    complains "--position" "0,0,0.9" (posed (LookAt (XYZ 0 0 0.9) (XYZ 0 0 0)))
+    complains "--position" "NaN,1,2" (posed (LookAt (XYZ (0 / 0) 1 2) (XYZ 0 0 0)))
     complains "--look-at" "0,-4,0" (posed (LookAt (XYZ 0 9 0) (XYZ 0 (-4) 0)))
     complains "--look-at" "1,2,3" (posed (LookAt (XYZ 1 2 3) (XYZ 1 2 3)))
     complains "--disk-outer" "1" (gas reportDisk {diskInnerRadius = 0.5, diskOuterRadius = 1})
@@ -44,7 +44,7 @@ spec = do
     at 0.5 Falling `shouldBe` []
   it "all problems are reported at once" $
     map problemOption (validateScene (fieldOfView 190) {scenePicture = Picture 0 0, sceneSamples = -1})
-      `shouldBe` ["--width", "--height", "--fov", "--samples"]
+      `shouldBe` ["--fov", "--width", "--height", "--samples"]
   where
     gas disk = defaultScene {sceneDisk = Just disk}
     posed pose = defaultScene {sceneCamera = (sceneCamera defaultScene) {cameraPose = pose}}

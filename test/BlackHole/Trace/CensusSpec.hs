@@ -19,7 +19,7 @@ spec = do
     censusLines counted `shouldBe` 24 * 12
     let rays = [fromIntegral (estimateCount (pixelEstimate traced column row)) | row <- [0 .. 11], column <- [0 .. 23]]
     mean (censusRays counted) `shouldSatisfy` near (sum rays / 288)
-    let middles = [maybe (0, 0) (\a -> (arrivalSteps a, arrivalGasSamples a)) (sightingArrival (explainedMiddle e)) | row <- [0 .. 11], column <- [0 .. 23], Just e <- [explainPixel small column row]]
+    let middles = [maybe (0, 0) (\a -> (arrivalSteps a, arrivalGasSamples a)) (sightingArrival (explainedMiddle e)) | row <- [0 .. 11], column <- [0 .. 23], Just e <- [explainPixel traced column row]]
     mean (censusSteps counted) `shouldSatisfy` near (sum (map (fromIntegral . fst) middles) / 288)
     mean (censusGasSamples counted) `shouldSatisfy` near (sum (map (fromIntegral . snd) middles) / 288)
   it "of a large picture is within five standard errors of that of its every line" $ do

@@ -27,19 +27,19 @@ spec = do
     forM_ scenes $ \(name, scene) ->
       it name $ do
         exposed <- exposeFilm oneWorker (const (pure ())) scene
-        case exposed of
+        case (,) <$> exposed <*> tracer scene of
           Nothing -> expectationFailure "cannot be traced"
-          Just film -> do
+          Just (film, traced) -> do
             picture <- developFilm oneWorker (sceneExposure scene) (sceneToneMap scene) (sceneDither scene) film
             forM_ [(x, y) | x <- [0, 2 .. 7], y <- [0, 2 .. 4]] $ \(x, y) ->
-              fmap ((\(r, g, b) -> [r, g, b]) . shownCodes . explainedShown) (explainPixel scene x y)
+              fmap ((\(r, g, b) -> [r, g, b]) . shownCodes . explainedShown) (explainPixel traced x y)
                 `shouldBe` (Vector.toList <$> pixelChannels picture x y)
   it "the pixel is the mean of its samples" $
     -- The first estimates of adaptive sampling are kept in single precision.
     forM_ [(small {sceneNoise = 0}, 1e-12), (small, 1e-6)] $ \(scene, tolerance) ->
       forM_ (everyPixel scene) $ \explanation -> do
         let samples = explainedSamples explanation
-            mean = scaleRadiance (1 / fromIntegral (length samples)) (mconcat (map sightingRadiance samples))
+            mean = scaleRadiance (1 / sum (map sightingWeight samples)) (mconcat [scaleRadiance (sightingWeight s) (sightingRadiance s) | s <- samples])
         if sceneNoise scene == 0
           then length samples `shouldBe` sceneSamples scene
           else length samples `shouldSatisfy` (>= sceneSamples scene)
@@ -55,8 +55,8 @@ spec = do
           distant (arrivalGas light <+> scaleRadiance (arrivalTransmittance light) (arrivalSky light)) (sightingRadiance s)
             `shouldSatisfy` (< 1e-12)
   it "tells the observer's light path" $
-    case (explainPixel small 4 3, tracer small >>= \traced -> tracedSight traced (XY 4.5 3.5)) of
-      (Just explanation, Just (SightLine photon observed)) -> case sightingArrival (explainedMiddle explanation) of
+    case tracer small >>= \traced -> (,) <$> explainPixel traced 4 3 <*> tracedSight traced (XY 4.5 3.5) of
+      Just (explanation, SightLine photon observed) -> case sightingArrival (explainedMiddle explanation) of
         Just light -> do
           arrivalConstants light `shouldBe` AngularMomentum (angularMomentum photon)
           arrivalFrequency light `shouldBe` observed
@@ -64,7 +64,7 @@ spec = do
         Nothing -> expectationFailure "no light"
       _ -> expectationFailure "no explanation"
   it "the middle of a bare hole is captured, without gas, at b = 0" $
-    case sightingArrival . explainedMiddle <$> explainPixel bare 8 4 of
+    case sightingArrival . explainedMiddle <$> (tracer bare >>= \traced -> explainPixel traced 8 4) of
       Just (Just light) -> do
         arrivalFate light `shouldBe` Captured
         case arrivalConstants light of
@@ -78,7 +78,7 @@ spec = do
       (arrivalGasSamples light > 0, arrivalGasSamples light <= arrivalSteps light)
         `shouldBe` (arrivalTransmittance light < 1, True)
   it "knows nothing outside the picture" $
-    map (uncurry (explainPixel small)) [(-1, 0), (0, -1), (8, 0), (0, 5)]
+    map (\(x, y) -> tracer small >>= \traced -> explainPixel traced x y) [(-1, 0), (0, -1), (8, 0), (0, 5)]
       `shouldBe` [Nothing, Nothing, Nothing, Nothing]
   where
     small = defaultScene {scenePicture = Picture 8 5}
@@ -99,7 +99,7 @@ spec = do
       ]
     near r = (sceneCamera small) {cameraPose = Around r (Degrees 80) (Degrees 90)}
     everyPixel scene =
-      [e | x <- [0, 2 .. 7], y <- [1, 3], Just e <- [explainPixel scene x y]]
+      [e | Just traced <- [tracer scene], x <- [0, 2 .. 7], y <- [1, 3], Just e <- [explainPixel traced x y]]
 
 -- | The greatest difference of two lights' amounts.
 distant :: Radiance -> Radiance -> Double

@@ -1,5 +1,6 @@
 module BlackHole.Trace.GasHeatSpec (spec) where
 
+import BlackHole.Physics.Spacetime (Spacetime (..))
 import BlackHole.Scene.Disk
 import BlackHole.Trace.GasField
 import BlackHole.Vector.XYZ (XYZ (..))
@@ -19,14 +20,14 @@ spec = do
     spread 0.05 `shouldSatisfy` (> 0.02)
     spread 0.1 `shouldSatisfy` (> 1.8 * spread 0.05)
   it "dense gas is hotter than thin gas of the same ring" $ do
-    let here = [gasAt (gasField Schwarzschild 1 hot (XYZ 0 0 1e3) 1e-9 1) (place r turn) r 0 | r <- [6], turn <- turns 400]
+    let here = [gasAt (gasField Schwarzschild 1 hot (XYZ 0 0 1e3) 1e-9 1) (place r turn) r 0 1 | r <- [6], turn <- turns 400]
         dense = [h | Here d h <- here, d > medianOf [d' | Here d' _ <- here]]
         thin = [h | Here d h <- here, d <= medianOf [d' | Here d' _ <- here]]
     minimum dense `shouldSatisfy` (>= maximum thin - 1e-9)
   it "no heat leaves every temperature alone" $
     heats hot {diskTurbulenceHeat = 0} 0 `shouldSatisfy` all (== 0)
   it "the haze is as warm as the mean of its ring" $
-    gasAt (gasField Schwarzschild 1 hot {diskHaze = 0.01, diskHazeHeight = 4} (XYZ 0 0 1e3) 1e-9 1) (XYZ 6 0.6 0) 6 0
+    gasAt (gasField Schwarzschild 1 hot {diskHaze = 0.01, diskHazeHeight = 4} (XYZ 0 0 1e3) 1e-9 1) (XYZ 6 0.3 0) 6 0 1
       `shouldSatisfy` \(Here density heat) -> density > 1e-4 && abs heat < 1e-6
   where
     hot = defaultDisk {diskArms = 0, diskHaze = 0, diskTime = 0, diskTurbulence = 4, diskTurbulenceHeat = 0.12}
@@ -44,7 +45,7 @@ heats disk len =
       -- The radii of the noise's whole period.
       let r = 3.5 * exp (2 * fractionOf (0.5698402909980532 * fromIntegral (i :: Int))),
       r < 0.6 * diskOuterRadius disk,
-      Here density heat <- [gasAt field (place r turn) r (len * r)],
+      Here density heat <- [gasAt field (place r turn) r (len * r) 1],
       density > 0
   ]
 

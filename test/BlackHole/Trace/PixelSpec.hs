@@ -14,6 +14,7 @@ import BlackHole.Trace.Pixel
 import BlackHole.Vector.XY (XY (..))
 import Control.Exception (evaluate)
 import Data.Int (Int64)
+import Data.Maybe (isJust)
 import Support.Allocation (allocatedBytes, whenOptimised)
 import Support.Approx
 import Support.Generators
@@ -62,8 +63,8 @@ spec = do
     forAll ((,) <$> inRange 0 64 <*> inRange 0 36) $ \(x, y) ->
       conjoin
         [ counterexample (name ++ " " ++ show l) (isFiniteRadiance l && luminance l >= 0)
-          | (name, preset) <- presets,
-            let l = light preset {scenePicture = Picture 64 36} (XY x y)
+          | (name, seen) <- lights,
+            let l = seen (XY x y)
         ]
 
   it "knows the pixels on the edge of the shadow" $
@@ -77,7 +78,7 @@ spec = do
               atRest = asin (sqrt (6.75 * (1 - 1 / r)) / r)
               beta = sqrt (1 / r)
               edge = 320 + 320 * tan alpha / tan (30 * pi / 180)
-              found offset = maybe False (`meetsPhotonRing` XY (edge + offset) 180) traced
+              found offset = maybe False (\t -> isJust (photonRing t (XY (edge + offset) 180))) traced
           map found [-20, -4, -0.5, 0, 0.5, 4, 20] `shouldBe` [False, False, True, True, True, False, False]
         | r <- [6, 20, 80],
           observer <- [Static, Falling]
@@ -103,6 +104,10 @@ spec = do
         -- tenth more time.
         maximum bytes `shouldSatisfy` (< 360)
 
+-- | What each preset shows at a point. The tracers are made once for all cases.
+lights :: [(String, XY -> Radiance)]
+lights = [(name, light preset {scenePicture = Picture 64 36}) | (name, preset) <- presets]
+
 -- | What the rays through some points leave on the heap, when what they share is made.
 bytesOfRays :: Tracer -> [XY] -> IO [Int64]
 bytesOfRays traced points = do
@@ -110,7 +115,7 @@ bytesOfRays traced points = do
   mapM (allocatedBytes . sightRadiance traced) points
 
 light :: Scene -> XY -> Radiance
-light scene point = maybe (Radiance (0 / 0) 0 0) (`sightRadiance` point) (tracer scene)
+light scene = maybe (const (Radiance (0 / 0) 0 0)) sightRadiance (tracer scene)
 
 uniform :: Double -> Scene
 uniform v =

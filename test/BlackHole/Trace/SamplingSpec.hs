@@ -1,6 +1,10 @@
 module BlackHole.Trace.SamplingSpec (spec) where
 
+import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Filter
+import BlackHole.Scene.Preset (defaultScene)
+import BlackHole.Scene.Scene
+import BlackHole.Trace.Pixel (samplePoint)
 import BlackHole.Trace.Sampling
 import BlackHole.Vector.XY (XY (..))
 import Data.List (sort)
@@ -18,6 +22,12 @@ spec = do
       let cells = [(cell column x, cell row y) | k <- [0 .. side * side - 1], let Sample (XY x y) _ = sampleOf Box seed 100 column row k]
           cell pixel v = floor ((v - fromIntegral pixel) * fromIntegral side) :: Int
        in sort cells === [(i, j) | i <- [0 .. side - 1], j <- [0 .. side - 1]]
+  prop "are numbered from 0: those of a scene, too, lie one in each cell" $
+    forAll ((,) <$> choose (0, 63) <*> choose (0, 35)) $ \(column, row) ->
+      let scene = defaultScene {scenePicture = Picture 64 36, sceneFilter = Box, sceneSamples = 4, sceneMostSamples = 64}
+          cells = [(cell column x, cell row y) | k <- [0 .. 15], let Sample (XY x y) _ = samplePoint scene column row k]
+          cell pixel v = floor ((v - fromIntegral pixel) * 4) :: Int
+       in sort cells === [(i, j) | i <- [0 .. 3], j <- [0 .. 3]]
   prop "do not depend on how many there will be" $ \seed ->
     forAll ((,) <$> choose (0, 50) <*> elements [minBound ..]) $ \(k, f) ->
       sampleOf f seed 64 7 9 k === sampleOf f seed 4096 7 9 k

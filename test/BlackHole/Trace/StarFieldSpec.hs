@@ -1,3 +1,5 @@
+{-# LANGUAGE LambdaCase #-}
+
 module BlackHole.Trace.StarFieldSpec (spec) where
 
 import BlackHole.Light.Radiance
@@ -9,11 +11,13 @@ import BlackHole.Trace.StarField
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
 import qualified BlackHole.Vector.XYZ as XYZ
+import Control.Monad (forM_)
 import Data.Maybe (fromMaybe)
 import Support.Approx
 import Support.Generators
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
+import Test.QuickCheck (elements, forAll)
 
 spec :: Spec
 spec = do
@@ -39,6 +43,27 @@ spec = do
           let expected = starFlux alone 0 * (magnification (imageAt beta) + magnification (imageAt (-beta))),
           let flux = lensedFlux beta
       ]
+  prop "narrow beams of any shape see every star within the kernel, also across the edges of the cube" $ \(Direction d) (Direction across) ->
+    forAll ((,,) <$> inRange 0.005 0.03 <*> inRange 0.2 1 <*> elements [d, unit (XYZ 1 1 0.02), unit (XYZ (-1) 1.01 1), unit (XYZ 0.99 (-1) (-1))]) $ \(width, ratio, middle) ->
+      let beam = Beam middle (width *^ a) ((ratio * width) *^ unit (b ^+^ 0.4 *^ a))
+          a = unit (XYZ.cross middle across)
+          b = XYZ.cross a middle
+          expected = bySearch beam
+       in closeTo (1e-4 * (1e-9 + expected)) expected (luminance (starFieldRadiance hundreds 1 beam))
+  it "looks for stars no farther away than the kernel reaches" $
+    -- A larger window costs time and shows in no picture.
+    forM_ [1e-4, 0.003, 0.02] $ \width ->
+      starWindows (Beam (XYZ 0 0 1) (XYZ width 0 0) (XYZ 0 (0.5 * width) 0)) `shouldSatisfy` \case
+        [Window 4 u0 u1 v0 v1] ->
+          and [edge >= 1 && edge < 1.06 | (end, half) <- [(-u0, width), (u1, width), (-v0, 0.5 * width), (v1, 0.5 * width)], let edge = end / (kernelRadius * half)]
+        _ -> False
+  it "on a caustic a star is as bright as in a beam of a sixtieth of the width, or four pixels from it where that is less" $
+    sequence_
+      [ luminance (starFieldRadiance field 1 (Beam star (width *^ right) ((1e-5 * width) *^ down)))
+          `shouldBeWithin` (1e-3 * expected, expected)
+        | width <- [0.01, 1e-3],
+          let expected = starFlux alone 0 * pixelKernel 0 ^ (2 :: Int) / (width * width * min (1 / 60) (4 * width))
+      ]
   it "narrow beams see on average what wide ones see" $ do
     let many = starField 1 (starCatalogue (Seed 5) 20000)
         average width = sum [luminance (starFieldRadiance many 1 (spiralBeam width i)) | i <- [0 .. 19999]] / 20000
@@ -60,6 +85,20 @@ spec = do
     (luminance (starFieldRadiance field 1.5 beam) / luminance (starFieldRadiance field 1 beam)) `shouldBeWithin` (1e-3, 1.5 ** 4)
     (b' / r') `shouldSatisfy` (> b / r)
   where
+    -- As few as are all in one tier.
+    catalogue = starCatalogue (Seed 5) 400
+    hundreds = starField 1 catalogue
+    bySearch beam =
+      sum
+        [ starFlux catalogue i * pixelKernel (XYZ.dot p s) * pixelKernel (XYZ.dot q s)
+          | i <- [0 .. 399],
+            let s = starDirection catalogue i,
+            XYZ.dot s (beamDirection beam) > 0
+        ]
+        / abs (beamSolidAngle beam)
+      where
+        (p, q) = beamAxes beam
+
     alone = starCatalogue (Seed 1) 1
     field = starField 1 alone
     star = starDirection alone 0

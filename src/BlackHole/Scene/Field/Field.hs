@@ -1,5 +1,5 @@
--- | One setting of a scene: everything that the command line, scene files and
--- help know about it, and the words to define it in.
+-- | One setting of a scene: everything that the command line, scene files and help need
+-- to know about it, and functions to define it.
 module BlackHole.Scene.Field.Field
   ( Field (..),
     Topic (..),
@@ -36,24 +36,23 @@ import Data.Word (Word64)
 
 -- | A setting of a scene.
 data Field = Field
-  { -- | Its place in a scene file, with points between the levels:
-    -- @disk.inner-radius@.
+  { -- | Its path in a scene file, with points between the levels: @disk.inner@.
     fieldPath :: !String,
     fieldTopic :: !Topic,
-    -- | One line that says what it is, with its unit.
+    -- | One sentence without a full stop that describes it, with its unit.
     fieldDoc :: !String,
     fieldKind :: !Kind,
     -- | Its option of @blackhole render@, if it has one.
     fieldOption :: !(Maybe Option),
-    -- | Its value in a scene; 'Nothing' where the scene has no such thing, like
-    -- the radius of a disk that is not there.
+    -- | Its value in a scene; 'Nothing' if the scene has no such value, like the
+    -- inner radius in a scene without a disk.
     fieldGet :: !(Scene -> Maybe Value),
-    -- | The scene with this value. A scene that has no such thing stays as it
-    -- is, and so does one that is given a value of another kind.
+    -- | The scene with this value. Leaves the scene alone if it has no place for
+    -- the value, or if the value is of another kind.
     fieldSet :: !(Value -> Scene -> Scene)
   }
 
--- | What a field is about; help is grouped by it.
+-- | The topic of a setting. Help is grouped by topic.
 data Topic
   = Image
   | Camera
@@ -65,36 +64,35 @@ data Topic
   | Diagnostics
   deriving (Eq, Ord, Show, Enum, Bounded)
 
--- | The topic's name for people, as a heading.
+-- | The topic's name as a heading.
 topicName :: Topic -> String
 topicName = show
 
--- | An option of the command line. Names are without the dashes.
+-- | An option of the command line. Names have no dashes.
 data Option
-  = -- | An option with a value: its name, and what stands for the value in help.
+  = -- | An option with a value: its name, and the placeholder for the value in help.
     Takes !String !String
-  | -- | An option without: its name, the value it sets, and its line of help.
+  | -- | A flag: its name, the value that it sets, and its line of help.
     Sets !String !Value !String
   deriving (Eq, Show)
 
--- | The option's name with its dashes.
+-- | The option's name with dashes.
 optionName :: Option -> String
 optionName (Takes name _) = "--" ++ name
 optionName (Sets name _ _) = "--" ++ name
 
--- | What messages call the field where no scene file names it: its option, or
+-- | What messages call a setting that does not come from a scene file: its option, or
 -- its path if it has none.
 fieldLabel :: Field -> String
 fieldLabel f = maybe (fieldPath f) optionName (fieldOption f)
 
--- | A part of something that may be missing from it: how to get it, and how to
--- replace it.
+-- | A part of a whole, which may lack it: how to get the part, and how to replace it.
 data Part whole part = Part
   { partOf :: !(whole -> Maybe part),
     partSet :: !(part -> whole -> whole)
   }
 
--- | A part of a part. Where the part is missing, nothing is replaced.
+-- | A part of a part. Replaces nothing if the outer part is missing.
 inside :: Part whole middle -> Part middle part -> Part whole part
 inside outer inner =
   Part
@@ -109,7 +107,7 @@ number topic path quantity = field (NumberKind quantity) NumberValue fromValue t
     fromValue (NumberValue v) = Just v
     fromValue _ = Nothing
 
--- | @whole topic path (least, most) unit doc part@: a whole number.
+-- | @whole topic path (least, greatest) unit doc part@: a whole number.
 whole :: Topic -> String -> (Int, Int) -> String -> String -> Part Scene Int -> Field
 whole topic path (low, high) unit = field (WholeKind low high unit) WholeValue fromValue topic path
   where
@@ -130,8 +128,8 @@ switch = field SwitchKind SwitchValue fromValue
     fromValue (SwitchValue b) = Just b
     fromValue _ = Nothing
 
--- | @choice topic path what choices doc part@: one of some values, each with its
--- name in lower case and what it means.
+-- | @choice topic path noun choices doc part@: one of several values, each with its name
+-- in lower case and its meaning.
 choice :: Eq a => Topic -> String -> String -> [(a, String, String)] -> String -> Part Scene a -> Field
 choice topic path what choices doc part =
   Field
@@ -149,9 +147,8 @@ choice topic path what choices doc part =
         _ -> scene
     }
 
--- | @choiceOrFile topic path what choices file toFile doc part@: a choice, or else
--- a file of the given kind (with its article), with how a file's name becomes a
--- value and what file's name a value is.
+-- | @choiceOrFile topic path noun choices fileNoun (fromFile, toFile) doc part@: a choice
+-- or a file, with the functions from a file's name to a value and back.
 choiceOrFile :: Eq a => Topic -> String -> String -> [(a, String, String)] -> String -> (FilePath -> a, a -> Maybe FilePath) -> String -> Part Scene a -> Field
 choiceOrFile topic path what choices file (fromFile, toFile) doc part =
   chosen
@@ -183,12 +180,11 @@ field kind toValue fromValue topic path doc part =
       fieldSet = \value scene -> maybe scene (\v -> partSet part v scene) (fromValue value)
     }
 
--- | @f \`withOption\` (name, metavar)@: the field with an option that takes a
+-- | @f \`withOption\` (name, placeholder)@: the setting with an option that takes a
 -- value.
 withOption :: Field -> (String, String) -> Field
 withOption f (name, placeholder) = f {fieldOption = Just (Takes name placeholder)}
 
--- | @f \`withFlag\` (name, value, help)@: the field with an option that sets
--- this value.
+-- | @f \`withFlag\` (name, value, help)@: the setting with a flag that sets this value.
 withFlag :: Field -> (String, Value, String) -> Field
 withFlag f (name, value, text) = f {fieldOption = Just (Sets name value text)}

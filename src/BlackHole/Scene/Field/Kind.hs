@@ -1,5 +1,4 @@
--- | The kinds of values that the settings of a scene have: how they are read,
--- written and bounded.
+-- | The kinds of values that settings have: how to read, print and check them.
 module BlackHole.Scene.Field.Kind
   ( Value (..),
     Kind (..),
@@ -21,7 +20,7 @@ import Data.Char (isControl, toLower)
 import Data.List (intercalate)
 import Data.Word (Word64)
 
--- | The value of a setting, whatever its type in the scene.
+-- | The value of a setting of any kind.
 data Value
   = NumberValue !Double
   | WholeValue !Int
@@ -34,24 +33,25 @@ data Value
   | VectorValue !XYZ
   deriving (Eq, Show)
 
--- | A kind of value with what is allowed.
+-- | A kind of value with its range.
 data Kind
   = NumberKind !Quantity
-  | -- | Least, most, and the unit, empty for a bare number.
+  | -- | Least and greatest value, and the unit, which is empty for a pure number.
     WholeKind !Int !Int !String
   | -- | A whole number of 64 bits.
     SeedKind
   | SwitchKind
-  | -- | What it is, with its article, and the names with what they mean.
+  | -- | A noun with its article, and the names of the choices with their meanings.
     ChoiceKind !String ![(String, String)]
-  | -- | The same, or else a file: what kind of file, with its article.
+  | -- | The same, and a noun with its article for the kind of file that can be given
+    -- instead.
     ChoiceOrFileKind !String ![(String, String)] !String
   | -- | Three finite numbers.
     VectorKind
   deriving (Eq, Show)
 
--- | A number with its range: what it is, with its article, and its unit, which
--- is empty for a pure number.
+-- | A number with its range: a noun with its article, and the unit, which is empty for
+-- a pure number.
 data Quantity = Quantity
   { quantityNoun :: !String,
     quantityLeast :: !Least,
@@ -68,9 +68,9 @@ data Least = Anything | From !Double | Above !Double
 data Most = Endless | UpTo !Double | Below !Double
   deriving (Eq, Show)
 
--- | A value from its text, or what it should have been. Ranges are not looked
--- at, but a whole number must fit into its type. Names and switches may be in
--- any case.
+-- | The value of a text, or what it should have been, as a noun phrase. Does not check
+-- the range, except that a whole number must fit into its type. Ignores the case of
+-- names and switches.
 readValue :: Kind -> String -> Either String Value
 readValue kind text = maybe (Left (expectation kind text)) Right $ case kind of
   NumberKind _ -> NumberValue <$> readNumber text
@@ -92,12 +92,13 @@ readValue kind text = maybe (Left (expectation kind text)) Right $ case kind of
     lower = map toLower text
     switches = [("on", True), ("off", False), ("true", True), ("false", False), ("yes", True), ("no", False)]
 
--- | Whether a text can name a file where there are words of a meaning of their
--- own: it has a folder or an extension, and is a line of at most 1024 characters.
+-- | Whether a text that is not one of the choices is taken for a file name. It must
+-- contain a slash or a period, so that a misspelt choice is not, and consist of at
+-- most 1024 characters without control characters.
 isFileName :: String -> Bool
 isFileName text = any (`elem` text) "./" && null (drop 1024 text) && not (any isControl text)
 
--- | What a value that cannot be read should have been.
+-- | What a text that cannot be read should have been, as a noun phrase.
 expectation :: Kind -> String -> String
 expectation kind text = case kind of
   NumberKind _ -> "a number"
@@ -105,14 +106,14 @@ expectation kind text = case kind of
   SeedKind -> "a whole number from 0 to " ++ show (maxBound :: Word64)
   SwitchKind -> "on or off"
   ChoiceKind what choices ->
-    what ++ suggestion text (map fst choices) ++ "; there are: " ++ intercalate ", " (map fst choices)
+    what ++ suggestion text (map fst choices) ++ "; the choices are: " ++ intercalate ", " (map fst choices)
   ChoiceOrFileKind what choices file ->
-    what ++ suggestion text (map fst choices) ++ "; there are: " ++ intercalate ", " (map fst choices) ++ ", and "
+    what ++ suggestion text (map fst choices) ++ "; the choices are: " ++ intercalate ", " (map fst choices) ++ ", or "
       ++ file
-      ++ " by its name with extension or folder"
-  VectorKind -> "X,Y,Z, three numbers with commas between them"
+      ++ " (a name with an extension or a folder, such as ./sky)"
+  VectorKind -> "X,Y,Z: three numbers separated by commas"
 
--- | The value as a message names it.
+-- | The value as messages print it.
 showValue :: Value -> String
 showValue value = case value of
   NumberValue v -> showNumber v
@@ -123,7 +124,7 @@ showValue value = case value of
   FileValue file -> file
   VectorValue (XYZ x y z) -> intercalate "," (map showNumber [x, y, z])
 
--- | The range that a value is out of.
+-- | The range of a kind as a noun phrase, if the value is outside it.
 rangeFault :: Kind -> Value -> Maybe String
 rangeFault kind value = case (kind, value) of
   (NumberKind quantity, NumberValue v)
@@ -131,7 +132,7 @@ rangeFault kind value = case (kind, value) of
   (WholeKind low high unit, WholeValue n)
     | n < low || n > high -> Just ("a whole number from " ++ show low ++ " to " ++ show high ++ inBrackets unit)
   (VectorKind, VectorValue v)
-    | not (XYZ.isFinite v) -> Just "X,Y,Z of finite numbers"
+    | not (XYZ.isFinite v) -> Just "X,Y,Z: three finite numbers"
   _ -> Nothing
 
 within :: Quantity -> Double -> Bool
@@ -154,7 +155,7 @@ quantityText (Quantity noun least most unit) = noun ++ range ++ inBrackets unit
       (Anything, Endless) -> ""
       (Anything, UpTo h) -> " up to " ++ plain h
       (Anything, Below h) -> " below " ++ plain h
-      (From l, Endless) -> " from " ++ plain l ++ " on"
+      (From l, Endless) -> " of at least " ++ plain l
       (From l, UpTo h) -> " from " ++ plain l ++ " to " ++ plain h
       (From l, Below h) -> " from " ++ plain l ++ " to below " ++ plain h
       (Above l, Endless) -> " above " ++ plain l

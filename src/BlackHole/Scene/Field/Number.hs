@@ -1,4 +1,4 @@
--- | Numbers as people and scene files write them.
+-- | Numbers on the command line and in scene files.
 module BlackHole.Scene.Field.Number
   ( readNumber,
     readWhole,
@@ -14,9 +14,9 @@ import Data.Char (isDigit, toLower)
 import Numeric (showFFloat)
 import Text.Read (readMaybe)
 
--- | A decimal number: @40@, @.5@, @-1e3@, @+2.@; also @nan@ and @inf@, which
--- the scene's own checks then refuse with the range that is allowed. An
--- exponent of more than four digits would take long to work out and is refused.
+-- | A decimal number such as @40@, @.5@, @-1e3@ or @+2.@. Also @nan@ and @inf@, so
+-- that the checks of ranges can report them. 'Nothing' for exponents of more than
+-- four digits, which would take long to compute.
 readNumber :: String -> Maybe Double
 readNumber s = case dropPlus s of
   '-' : rest | noSign rest -> negate <$> unsigned rest
@@ -39,7 +39,7 @@ readNumber s = case dropPlus s of
       _ -> t
     orZero digits = if null digits then "0" else digits
 
--- | A whole number in decimal, of no more than 40 digits.
+-- | A whole number in decimal notation with at most 40 digits.
 readWhole :: String -> Maybe Integer
 readWhole s = case dropPlus s of
   '-' : digits -> negate <$> unsigned digits
@@ -49,7 +49,7 @@ readWhole s = case dropPlus s of
       | not (null digits) && all isDigit digits && length digits <= 40 = readMaybe digits
       | otherwise = Nothing
 
--- | Three numbers with commas between them.
+-- | Three numbers separated by commas.
 readVector :: String -> Maybe XYZ
 readVector s = case traverse readNumber (splitOn ',' s) of
   Just [x, y, z] -> Just (XYZ x y z)
@@ -59,24 +59,18 @@ dropPlus :: String -> String
 dropPlus ('+' : rest@(c : _)) | c /= '-' = rest
 dropPlus s = s
 
--- | The parts between the occurrences of a letter.
+-- | The parts of a text between the occurrences of a character.
 splitOn :: Char -> String -> [String]
 splitOn c s = case break (== c) s of
   (a, _ : rest) -> a : splitOn c rest
   (a, []) -> [a]
 
--- | Whole numbers without their ".0", as a user would type them.
+-- | A number for messages: 'exactNumber', except @NaN@ and @Infinity@.
 showNumber :: Double -> String
-showNumber v
-  | finite v && abs v < 1e7 && v == fromIntegral n = show n
-  | otherwise = show v
-  where
-    n = round v :: Int
-    finite d = not (isNaN d || isInfinite d)
+showNumber v = if isNaN v || isInfinite v then show v else exactNumber v
 
--- | The shortest decimal that reads back as the same number, a negative zero
--- included. With an exponent it has the point and the sign that YAML 1.1 asks
--- for: every reader of YAML takes it for a number.
+-- | The shortest decimal that reads back as the same number, including negative zero.
+-- With an exponent, it has the point and the sign that YAML 1.1 requires of numbers.
 exactNumber :: Double -> String
 exactNumber d
   | isNaN d = ".nan"

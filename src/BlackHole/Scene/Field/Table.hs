@@ -1,9 +1,11 @@
--- | The table of all settings of a scene. Command-line options, scene files,
--- their printed form, the JSON Schema and the checks of ranges all come from
--- it; see docs/architecture.md for how to add a line.
+-- | The table of all settings of a scene. The options of the command line, scene
+-- files, their printed form, the JSON Schema and the checks of ranges all derive from
+-- it; docs/architecture.md explains how to add a setting.
 module BlackHole.Scene.Field.Table
   ( sceneFields,
     findField,
+    formerPaths,
+    currentPath,
     maximumPictureSide,
   )
 where
@@ -14,7 +16,7 @@ import BlackHole.Physics.Angle
 import BlackHole.Physics.Kerr.Landmarks
 import qualified BlackHole.Physics.Observer as Observer
 import BlackHole.Physics.Spacetime (Spacetime (..))
-import BlackHole.Scene.Camera (Camera (cameraFieldOfView, cameraPose, cameraRoll), Picture (..), Pose (..), posePosition)
+import BlackHole.Scene.Camera (Camera (cameraFieldOfView, cameraPose, cameraRoll), Picture (..), Pose (..), Projection (..), posePosition, projectionFieldOfView, projectionHeight, projectionName)
 import BlackHole.Scene.Disk (DiskColour (..), DiskProfile (..), defaultDisk)
 import qualified BlackHole.Scene.Disk as Gas
 import BlackHole.Scene.Field.Field
@@ -25,141 +27,162 @@ import BlackHole.Scene.Shifts (Shifts (..))
 import BlackHole.Scene.Sky (Panorama (..), PointStars (..), RealSky (..), Sky (..), Stars (..), defaultPointStars, defaultStars, panoramaOf, realSky)
 import BlackHole.Vector.XYZ (XYZ (..))
 import Data.List (find, intercalate)
-import Data.Maybe (isJust)
+import Data.Maybe (fromMaybe, isJust)
 
--- | The most pixels a side of a picture may have.
+-- | The greatest width and height of a picture in pixels.
 maximumPictureSide :: Int
 maximumPictureSide = 65536
 
--- | A field by its path, or by one that it had in earlier versions.
+-- | A setting by its path.
 findField :: String -> Maybe Field
-findField path = find ((== current) . fieldPath) sceneFields
-  where
-    current
-      | path == "sky.panorama.rotation" = "sky.rotation"
-      | otherwise = path
+findField path = find ((== path) . fieldPath) sceneFields
 
--- | Every setting, in the order in which scene files show them. Settings are
--- applied in this order, whatever the order in which they were given: a field
--- that chooses between alternatives comes before the fields of the
--- alternatives, and the width before the height, for it sets both. Fields that
--- share the beginning of their path stand together.
+-- | Former paths of settings with the present ones. Scene files may still use them.
+formerPaths :: [(String, String)]
+formerPaths =
+  [ ("camera.field-of-view", "camera.fov"),
+    ("observer.motion", "camera.observer"),
+    ("disk.inner-radius", "disk.inner"),
+    ("disk.outer-radius", "disk.outer"),
+    ("sky.panorama.rotation", "sky.rotation")
+  ]
+
+-- | The present path of a setting, given that or a former one.
+currentPath :: String -> String
+currentPath path = fromMaybe path (lookup path formerPaths)
+
+-- | Every setting, in the order of printed scenes. Settings are applied in this order,
+-- whatever the order in which they are given: a setting that chooses between
+-- alternatives comes before the settings of the alternatives, the projection before the
+-- size of the picture, and the width before the height, because it sets both. Settings of
+-- one group stand together.
+--
+-- An option is named like the end of its setting's path: @--fov@ sets @camera.fov@ and
+-- @--disk-inner@ sets @disk.inner@. @--sky@ sets @sky.kind@, and @--no-gravity@ and
+-- @--no-disk@ set @physics.gravity@ and @disk.present@ to false.
 sceneFields :: [Field]
 sceneFields =
-  [ whole Image "image.width" (1, maximumPictureSide) "pixels" "Width of the picture; sets the height to 9/16 of it" widthPart
-      `withOption` ("width", "PIXELS"),
-    whole Image "image.height" (1, maximumPictureSide) "pixels" "Height of the picture (default: 9/16 of the width)" heightPart
-      `withOption` ("height", "PIXELS"),
-    number Camera "camera.distance" (Quantity "a distance" Anything (UpTo 1e6) radii) "Camera's distance from the hole in Schwarzschild radii" distancePart
+  [ choice Camera "camera.projection" "a projection" projections "Projection of directions onto the picture: perspective, fisheye (for domes) or equirectangular (for VR); also sets the field of view, height and bloom that are usual for it" projectionPart
+      `withOption` ("projection", "NAME"),
+    number Camera "camera.distance" (Quantity "a distance" Anything (UpTo 1e6) radii) "Distance of the camera from the hole in Schwarzschild radii" distancePart
       `withOption` ("distance", "R"),
-    number Camera "camera.inclination" (angle (From 0) (UpTo 180) "degrees from the disk's axis") "Camera's angle from the disk's axis in degrees: 0 above it, 90 in its plane" inclinationPart
+    number Camera "camera.inclination" (angle (From 0) (UpTo 180) "degrees from the disk's axis") "Angle between the disk's axis and the camera in degrees: 0 is above the pole, 90 in the disk's plane" inclinationPart
       `withOption` ("inclination", "DEGREES"),
-    number Camera "camera.azimuth" (angle Anything Endless "degrees") "Camera's angle around the disk's axis in degrees" azimuthPart
+    number Camera "camera.azimuth" (angle (From (-1e6)) (UpTo 1e6) "degrees") "Angle of the camera around the disk's axis in degrees" azimuthPart
       `withOption` ("azimuth", "DEGREES"),
-    vector Camera "camera.position" "Camera's place in Schwarzschild radii, instead of the three above; the disk's axis is +y" positionPart
-      `withOption` ("camera", "X,Y,Z"),
-    vector Camera "camera.look-at" "Point the camera looks at, in Schwarzschild radii, with a position (default: the hole)" lookAtPart
+    vector Camera "camera.position" "Position of the camera in Schwarzschild radii, instead of distance, inclination and azimuth; the disk's axis is +y" positionPart
+      `withOption` ("position", "X,Y,Z"),
+    vector Camera "camera.look-at" "Point that the camera looks at, in Schwarzschild radii (default: the hole)" lookAtPart
       `withOption` ("look-at", "X,Y,Z"),
-    number Camera "camera.roll" (angle Anything Endless "degrees") "Turn the camera clockwise about its line of sight, in degrees" (camera (part (inDegrees . cameraRoll) (\v c -> c {cameraRoll = Degrees v})))
+    number Camera "camera.roll" (angle (From (-1e6)) (UpTo 1e6) "degrees") "Rotation of the camera about its line of sight in degrees, clockwise" (camera (part (inDegrees . cameraRoll) (\v c -> c {cameraRoll = Degrees v})))
       `withOption` ("roll", "DEGREES"),
-    number Camera "camera.field-of-view" (angle (Above 0) (Below 180) "degrees") "Angle of view across the width, above 0 and below 180 degrees" (camera (part (inDegrees . cameraFieldOfView) (\v c -> c {cameraFieldOfView = Degrees v})))
+    number Camera "camera.fov" (angle (Above 0) (UpTo 360) "degrees") "Field of view across the width of the picture in degrees: below 180 in perspective, up to 360 in the other projections" (camera (part (inDegrees . cameraFieldOfView) (\v c -> c {cameraFieldOfView = Degrees v})))
       `withOption` ("fov", "DEGREES"),
-    choice Observer "observer.motion" "an observer" observers "Who looks: static, orbiting, falling, or coordinate (the report's)" (part sceneObserver (\v s -> s {sceneObserver = v}))
+    choice Observer "camera.observer" "an observer" observers "Motion of the observer: static, zamo (without angular momentum, turning with the space around a rotating hole), orbiting, counter-orbiting, falling, or coordinate (aims by coordinate directions, like the design report)" (part sceneObserver (\v s -> s {sceneObserver = v}))
       `withOption` ("observer", "WHO"),
-    switch Observer "physics.gravity" "Whether gravity bends light; without it, a black ball for the hole" gravityPart
-      `withFlag` ("no-gravity", SwitchValue False, "Straight rays, and a black ball for the hole"),
-    number Observer "hole.spin" (Quantity "a spin" (Above (-1)) (Below 1) "of the greatest possible") "Spin of the hole, its angular momentum over the greatest possible; positive if it turns with the gas, 0 for a hole that does not rotate" spinPart
+    whole Image "image.width" (1, maximumPictureSide) "pixels" "Width of the picture in pixels; also sets the height: to 9/16 of it, in a fisheye picture to the same, in an equirectangular one to half of it" widthPart
+      `withOption` ("width", "PIXELS"),
+    whole Image "image.height" (1, maximumPictureSide) "pixels" "Height of the picture in pixels (default: by the width and the projection)" heightPart
+      `withOption` ("height", "PIXELS"),
+    switch Observer "physics.gravity" "Whether gravity bends light; without gravity, light travels straight and the hole is a black ball" gravityPart
+      `withFlag` ("no-gravity", SwitchValue False, "Let light travel in straight lines; the hole is a black ball"),
+    number Observer "hole.spin" (Quantity "a spin" (Above (-1)) (Below 1) "") "Spin of the hole, from -1 to 1: its angular momentum as a fraction of the greatest possible, positive if the hole turns with the disk" spinPart
       `withOption` ("spin", "A"),
-    switch Observer "physics.doppler" "Show the shifts by the gas's motion" (shifts (part shiftsDoppler (\v s -> s {shiftsDoppler = v})))
+    switch Observer "physics.doppler" "Whether to show frequency shifts due to motion (the Doppler effect)" (shifts (part shiftsDoppler (\v s -> s {shiftsDoppler = v})))
       `withOption` ("doppler", "on|off"),
-    switch Observer "physics.redshift" "Show the shifts by gravity" (shifts (part shiftsGravity (\v s -> s {shiftsGravity = v})))
+    switch Observer "physics.redshift" "Whether to show frequency shifts due to gravity" (shifts (part shiftsGravity (\v s -> s {shiftsGravity = v})))
       `withOption` ("redshift", "on|off"),
-    choice Observer "physics.integrator" "an integrator" integrators "How light is followed: table (closed-form orbits, tabulated), exact (the same worked out for each ray, finer steps through the gas, slower) or leapfrog" (part sceneIntegrator (\v s -> s {sceneIntegrator = v}))
+    choice Observer "physics.integrator" "an integrator" integrators "How to compute light paths: table (tabulated closed-form orbits), exact (closed form for each ray and finer steps through the gas; slower) or leapfrog (numerical integration, as in the design report)" (part sceneIntegrator (\v s -> s {sceneIntegrator = v}))
       `withOption` ("integrator", "NAME"),
-    number Observer "physics.step" (Quantity "a length" (From 1e-5) (UpTo 10) radii) "The leapfrog's base length in Schwarzschild radii" (part sceneStep (\v s -> s {sceneStep = v}))
+    number Observer "physics.step" (Quantity "a length" (From 1e-5) (UpTo 10) radii) "Base step length of the leapfrog in Schwarzschild radii" (part sceneStep (\v s -> s {sceneStep = v}))
       `withOption` ("step", "L"),
-    switch Disk "disk.present" "Whether there is any gas; without it, no other setting of the disk counts" presencePart
-      `withFlag` ("no-disk", SwitchValue False, "Leave the gas out"),
-    number Disk "disk.inner-radius" (Quantity "a radius" (From 0) (UpTo 1e4) radii) "Inner radius of the gas in Schwarzschild radii" (disk (part Gas.diskInnerRadius (\v d -> d {Gas.diskInnerRadius = v})))
+    switch Disk "disk.present" "Whether there is a disk; without one, no other setting of the disk has an effect" presencePart
+      `withFlag` ("no-disk", SwitchValue False, "Render without a disk"),
+    number Disk "disk.inner" (Quantity "a radius" (From 0) (UpTo 1e4) radii) "Inner radius of the disk in Schwarzschild radii" (disk (part Gas.diskInnerRadius (\v d -> d {Gas.diskInnerRadius = v})))
       `withOption` ("disk-inner", "R"),
-    number Disk "disk.outer-radius" (Quantity "a radius" (Above 1) (UpTo 1e4) radii) "Outer radius of the gas in Schwarzschild radii" (disk (part Gas.diskOuterRadius (\v d -> d {Gas.diskOuterRadius = v})))
+    number Disk "disk.outer" (Quantity "a radius" (Above 1) (UpTo 1e4) radii) "Outer radius of the disk in Schwarzschild radii" (disk (part Gas.diskOuterRadius (\v d -> d {Gas.diskOuterRadius = v})))
       `withOption` ("disk-outer", "R"),
-    number Disk "disk.fade" (Quantity "a fraction of the outer radius" (From 0) (UpTo 1) "") "Fraction of the outer radius at which the gas has thinned to half its density" (disk (part Gas.diskFade (\v d -> d {Gas.diskFade = v}))),
-    number Disk "disk.thickness" (Quantity "a length" (From 1e-4) (UpTo 100) radii) "Height in Schwarzschild radii at which the gas has thinned to 1/e" (disk (part Gas.diskThickness (\v d -> d {Gas.diskThickness = v})))
+    number Disk "disk.fade" (Quantity "a fraction of the outer radius" (From 0) (UpTo 1) "") "Fraction of the outer radius at which the density has fallen to half" (disk (part Gas.diskFade (\v d -> d {Gas.diskFade = v}))),
+    number Disk "disk.thickness" (Quantity "a length" (From 1e-4) (UpTo 100) radii) "Height above the disk's plane, in Schwarzschild radii, at which the density has fallen to 1/e" (disk (part Gas.diskThickness (\v d -> d {Gas.diskThickness = v})))
       `withOption` ("disk-thickness", "W"),
-    choice Disk "disk.profile" "a profile" profiles "Where that thickness holds: constant (everywhere) or opening (at the outer radius, in proportion further in)" (disk (part Gas.diskProfile (\v d -> d {Gas.diskProfile = v}))),
-    number Disk "disk.opacity" (Quantity "an optical depth" (From 0) (UpTo 1e6) "") "Optical depth of one thickness of dense gas" (disk (part Gas.diskOpacity (\v d -> d {Gas.diskOpacity = v})))
+    choice Disk "disk.profile" "a profile" profiles "Profile of the thickness: constant, or opening (in proportion to the radius, with the given thickness at the outer radius)" (disk (part Gas.diskProfile (\v d -> d {Gas.diskProfile = v}))),
+    number Disk "disk.opacity" (Quantity "an optical depth" (From 0) (UpTo 1e6) "") "Optical depth of gas of full density over a path as long as the thickness" (disk (part Gas.diskOpacity (\v d -> d {Gas.diskOpacity = v})))
       `withOption` ("disk-opacity", "TAU"),
     number Disk "disk.brightness" (Quantity "a radiance" (From 0) (UpTo 1e9) "") "Radiance of opaque gas where it is brightest; 1 is display white at exposure 0" (disk (part Gas.diskBrightness (\v d -> d {Gas.diskBrightness = v}))),
-    choice Disk "disk.colour" "a way to colour the gas" [(RampGlow, "hue-ramp", "yellow inside to red outside, without physics"), (BlackBodyGlow, "black-body", "by its temperature"), (BolometricGlow, "bolometric", "all wavelengths together, without colour")] "How the gas shines: black-body, bolometric (the same without colour), or hue-ramp (the report's, without physics)" glowPart,
-    number Disk "disk.temperature" (Quantity "a temperature" (From 500) (UpTo 1e6) "kelvin") "Temperature in kelvin of the gas where it is hottest; makes it a black body" temperaturePart
+    choice Disk "disk.colour" "a way to colour the gas" [(RampGlow, "hue-ramp", "yellow inside to red outside, without physics"), (BlackBodyGlow, "black-body", "by its temperature"), (BolometricGlow, "bolometric", "all wavelengths together, without colour")] "Colour of the gas: black-body, bolometric (intensity over all wavelengths, without colour), or hue-ramp (yellow to red by radius, as in the design report, without physics)" glowPart,
+    number Disk "disk.temperature" (Quantity "a temperature" (From 500) (UpTo 1e6) "kelvin") "Temperature of the gas in kelvin where it is hottest; makes the gas a black body" temperaturePart
       `withOption` ("temperature", "KELVIN"),
-    number Disk "disk.time" (Quantity "a time" (From (-1e9)) (UpTo 1e9) "r_s/c") "Time to which the gas has moved, in Schwarzschild radii over c" (disk (part Gas.diskTime (\v d -> d {Gas.diskTime = v})))
+    number Disk "disk.time" (Quantity "a time" (From (-1e9)) (UpTo 1e9) "r_s/c") "Time up to which the gas has moved, in r_s/c (Schwarzschild radii over the speed of light)" (disk (part Gas.diskTime (\v d -> d {Gas.diskTime = v})))
       `withOption` ("time", "T"),
-    whole Disk "disk.arms.count" (0, 1000) "" "Number of spiral arms, 0 for none" (disk (part Gas.diskArms (\v d -> d {Gas.diskArms = v}))),
-    number Disk "disk.arms.winding" (Quantity "an angle" (From (-1e4)) (UpTo 1e4) "radians per Schwarzschild radius") "Radians that an arm turns per Schwarzschild radius outwards" (disk (part Gas.diskArmWinding (\v d -> d {Gas.diskArmWinding = v}))),
-    number Disk "disk.arms.depth" (Quantity "a fraction" (From 0) (UpTo 0.5) "") "How much thinner the disk is between the arms, 0 to 0.5" (disk (part Gas.diskArmDepth (\v d -> d {Gas.diskArmDepth = v}))),
-    number Disk "disk.arms.noise" (Quantity "an angle" (From 0) (UpTo 1000) "radians") "Radians by which noise displaces the arms" (disk (part Gas.diskArmNoise (\v d -> d {Gas.diskArmNoise = v}))),
-    number Disk "disk.arms.noise-frequency" (Quantity "a number of features" (From 0) (UpTo 1000) "per Schwarzschild radius") "Features of that noise per Schwarzschild radius" (disk (part Gas.diskArmNoiseFrequency (\v d -> d {Gas.diskArmNoiseFrequency = v}))),
+    whole Disk "disk.arms.count" (0, 1000) "" "Number of spiral arms; 0 for none" (disk (part Gas.diskArms (\v d -> d {Gas.diskArms = v}))),
+    number Disk "disk.arms.winding" (Quantity "an angle" (From (-1e4)) (UpTo 1e4) "radians per Schwarzschild radius") "Winding of the arms in radians per Schwarzschild radius outwards" (disk (part Gas.diskArmWinding (\v d -> d {Gas.diskArmWinding = v}))),
+    number Disk "disk.arms.depth" (Quantity "a fraction" (From 0) (UpTo 0.5) "") "Fraction by which the disk is thinner between the arms, 0 to 0.5" (disk (part Gas.diskArmDepth (\v d -> d {Gas.diskArmDepth = v}))),
+    number Disk "disk.arms.noise" (Quantity "an angle" (From 0) (UpTo 1000) "radians") "Angle by which noise displaces the arms, in radians" (disk (part Gas.diskArmNoise (\v d -> d {Gas.diskArmNoise = v}))),
+    number Disk "disk.arms.noise-frequency" (Quantity "a number of features" (From 0) (UpTo 1000) "per Schwarzschild radius") "Frequency of that noise in features per Schwarzschild radius" (disk (part Gas.diskArmNoiseFrequency (\v d -> d {Gas.diskArmNoiseFrequency = v}))),
     whole Disk "disk.arms.noise-octaves" (1, 20) "" "Octaves of that noise" (disk (part Gas.diskArmNoiseOctaves (\v d -> d {Gas.diskArmNoiseOctaves = v}))),
-    number Disk "disk.turbulence.strength" (Quantity "a number" (From 0) (UpTo 100) "") "Strength of the turbulence in the density, 0 for smooth gas" (disk (part Gas.diskTurbulence (\v d -> d {Gas.diskTurbulence = v}))),
-    number Disk "disk.turbulence.frequency" (Quantity "a number of features" (From 0) (UpTo 1000) "") "Features of the turbulence from one radius to e times it" (disk (part Gas.diskTurbulenceFrequency (\v d -> d {Gas.diskTurbulenceFrequency = v}))),
-    whole Disk "disk.turbulence.octaves" (1, 8) "" "Octaves of the turbulence, each twice as fine as the one before" (disk (part Gas.diskTurbulenceOctaves (\v d -> d {Gas.diskTurbulenceOctaves = v}))),
-    number Disk "disk.turbulence.gain" (Quantity "a fraction" (From 0) (UpTo 1) "") "Strength of each octave over that of the one before, 0 to 1" (disk (part Gas.diskTurbulenceGain (\v d -> d {Gas.diskTurbulenceGain = v}))),
-    number Disk "disk.turbulence.warp" (Quantity "a number of features" (From 0) (UpTo 100) "") "How far coarse turbulence bends the finer, in features" (disk (part Gas.diskTurbulenceWarp (\v d -> d {Gas.diskTurbulenceWarp = v}))),
-    number Disk "disk.turbulence.filaments" (Quantity "a part" (From 0) (UpTo 1) "") "Part of bright filaments in the turbulence, 0 to 1" (disk (part Gas.diskTurbulenceFilaments (\v d -> d {Gas.diskTurbulenceFilaments = v}))),
-    number Disk "disk.turbulence.intermittency" (Quantity "a number" (From 0) (UpTo 100) "") "How much stronger fine turbulence is in dense gas than in thin, 0 for equally strong" (disk (part Gas.diskTurbulenceGrowth (\v d -> d {Gas.diskTurbulenceGrowth = v}))),
-    number Disk "disk.turbulence.heat" (Quantity "an exponent" (From 0) (UpTo 2) "") "Exponent of the temperature as a power of the turbulent density, 0 for one temperature in a ring; the mean flux of a ring stays" (disk (part Gas.diskTurbulenceHeat (\v d -> d {Gas.diskTurbulenceHeat = v}))),
-    number Disk "disk.haze.density" (Quantity "a density" (From 0) (UpTo 1) "") "Density of a haze above and below the disk over that of dense gas, 0 for none" (disk (part Gas.diskHaze (\v d -> d {Gas.diskHaze = v}))),
-    number Disk "disk.haze.height" (Quantity "a ratio" (From 1) (UpTo 100) "") "Thickness of the haze over that of the disk, at least 1" (disk (part Gas.diskHazeHeight (\v d -> d {Gas.diskHazeHeight = v}))),
-    choiceOrFile Sky "sky.kind" "a sky" skies "a panorama" (PanoramaSky, panoramaSkyFile) "What lies behind: stars (the real ones and the Milky Way), random-stars (from the seed), noise (the report's stars), grid, uniform, none, or a panorama (the file of a picture twice as wide as high)" skyKindPart
+    number Disk "disk.turbulence.strength" (Quantity "a number" (From 0) (UpTo 100) "") "Strength of the turbulence; 0 for smooth gas" (disk (part Gas.diskTurbulence (\v d -> d {Gas.diskTurbulence = v}))),
+    number Disk "disk.turbulence.frequency" (Quantity "a number of features" (From 0) (UpTo 1000) "") "Frequency of the turbulence in features between any radius and e times that radius" (disk (part Gas.diskTurbulenceFrequency (\v d -> d {Gas.diskTurbulenceFrequency = v}))),
+    whole Disk "disk.turbulence.octaves" (1, 8) "" "Octaves of the turbulence, each at twice the frequency of the one before" (disk (part Gas.diskTurbulenceOctaves (\v d -> d {Gas.diskTurbulenceOctaves = v}))),
+    number Disk "disk.turbulence.gain" (Quantity "a fraction" (From 0) (UpTo 1) "") "Strength of each octave relative to the one before, 0 to 1" (disk (part Gas.diskTurbulenceGain (\v d -> d {Gas.diskTurbulenceGain = v}))),
+    number Disk "disk.turbulence.warp" (Quantity "a number of features" (From 0) (UpTo 100) "") "How far the coarse octaves displace the finer ones, in widths of the coarsest features" (disk (part Gas.diskTurbulenceWarp (\v d -> d {Gas.diskTurbulenceWarp = v}))),
+    number Disk "disk.turbulence.filaments" (Quantity "a fraction" (From 0) (UpTo 1) "") "Fraction of bright filaments in the finer octaves, 0 to 1" (disk (part Gas.diskTurbulenceFilaments (\v d -> d {Gas.diskTurbulenceFilaments = v}))),
+    number Disk "disk.turbulence.intermittency" (Quantity "a number" (From 0) (UpTo 100) "") "How much stronger fine turbulence is where the gas is dense; 0 for equally strong everywhere" (disk (part Gas.diskTurbulenceGrowth (\v d -> d {Gas.diskTurbulenceGrowth = v}))),
+    number Disk "disk.turbulence.heat" (Quantity "an exponent" (From 0) (UpTo 2) "") "Exponent of the temperature as a power of the surface density within a ring, whose mean flux stays; 0 for rings of one temperature" (disk (part Gas.diskTurbulenceHeat (\v d -> d {Gas.diskTurbulenceHeat = v}))),
+    number Disk "disk.haze.density" (Quantity "a density" (From 0) (UpTo 1) "") "Density of a haze above and below the disk relative to full density; 0 for none" (disk (part Gas.diskHaze (\v d -> d {Gas.diskHaze = v}))),
+    number Disk "disk.haze.height" (Quantity "a ratio" (From 1) (UpTo 100) "") "Thickness of the haze relative to that of the disk, at least 1" (disk (part Gas.diskHazeHeight (\v d -> d {Gas.diskHazeHeight = v}))),
+    choiceOrFile Sky "sky.kind" "a sky" skies "the file of an environment map" (PanoramaSky, panoramaSkyFile) "Background: stars (the real stars and the Milky Way), random-stars (made from the seed), noise (stars made from noise, as in the design report), grid, uniform, none, or the file of an environment map (a picture twice as wide as high)" skyKindPart
       `withOption` ("sky", "NAME|FILE"),
-    number Sky "sky.rotation" (angle Anything Endless "degrees") "Turn of the real stars or of a panorama about the disk's axis in degrees; at 0 a panorama's middle is behind the hole for a camera at azimuth 90" rotationPart
+    number Sky "sky.rotation" (angle (From (-1e6)) (UpTo 1e6) "degrees") "Rotation of the real stars or of an environment map about the disk's axis in degrees; at 0 a camera at azimuth 90 sees the map's centre behind the hole" rotationPart
       `withOption` ("sky-rotation", "DEGREES"),
-    number Sky "sky.brightness" (Quantity "a gain" (From 0) (UpTo 1e9) "") "Gain of the real stars and the Milky Way; 1 gives a star of magnitude 0 a flux of 80e-6 radiance times steradians" (realStars (part realSkyBrightness (\v s -> s {realSkyBrightness = v}))),
-    number Sky "sky.milky-way" (Quantity "a gain" (From 0) (UpTo 1e9) "") "Further gain of the real Milky Way alone; 1 is its true ratio to the stars, 0 leaves it out" (realStars (part realSkyMilkyWay (\v s -> s {realSkyMilkyWay = v}))),
-    number Sky "sky.panorama.brightness" (Quantity "a radiance" (From 0) (UpTo 1e9) "") "Radiance of a panorama's white; 1 is display white at exposure 0" (panorama (part panoramaBrightness (\v p -> p {panoramaBrightness = v}))),
+    number Sky "sky.brightness" (Quantity "a gain" (From 0) (UpTo 1e9) "") "Gain of the real stars and the Milky Way; at 1, a star of magnitude 0 has a flux of 80e-6 steradians times radiance" (realStars (part realSkyBrightness (\v s -> s {realSkyBrightness = v}))),
+    number Sky "sky.milky-way" (Quantity "a gain" (From 0) (UpTo 1e9) "") "Further gain of the Milky Way alone; 1 is its true ratio to the stars, 0 leaves it out" (realStars (part realSkyMilkyWay (\v s -> s {realSkyMilkyWay = v}))),
+    number Sky "sky.panorama.brightness" (Quantity "a radiance" (From 0) (UpTo 1e9) "") "Radiance of white in the environment map; 1 is display white at exposure 0" (panorama (part panoramaBrightness (\v p -> p {panoramaBrightness = v}))),
     number Sky "sky.radiance" (Quantity "a radiance" (From 0) (UpTo 1e9) "") "Radiance of a uniform sky; 1 is display white at exposure 0" radiancePart,
-    number Sky "sky.stars.frequency" (Quantity "a number of features" (Above 0) (UpTo 1e6) "per radian") "Features of the stars' noise per radian" (stars (part starFrequency (\v s -> s {starFrequency = v}))),
-    whole Sky "sky.stars.octaves" (1, 20) "" "Octaves of that noise: one gives round stars, more give shreds of light" (stars (part starOctaves (\v s -> s {starOctaves = v}))),
-    number Sky "sky.stars.threshold" (Quantity "a noise level" (From (-1)) (UpTo 1) "") "Noise level, -1 to 1, at which a star has half its brightness" (stars (part starThreshold (\v s -> s {starThreshold = v}))),
-    number Sky "sky.stars.sharpness" (Quantity "a steepness" (Above 0) (UpTo 1e6) "") "Steepness of a star's edge" (stars (part starSharpness (\v s -> s {starSharpness = v}))),
+    number Sky "sky.stars.frequency" (Quantity "a number of features" (Above 0) (UpTo 1e6) "per radian") "Frequency of the stars' noise in features per radian" (stars (part starFrequency (\v s -> s {starFrequency = v}))),
+    whole Sky "sky.stars.octaves" (1, 20) "" "Octaves of that noise: 1 gives round stars, more give ragged patches of light" (stars (part starOctaves (\v s -> s {starOctaves = v}))),
+    number Sky "sky.stars.threshold" (Quantity "a noise level" (From (-1)) (UpTo 1) "") "Noise level, -1 to 1, at which a star reaches half its brightness" (stars (part starThreshold (\v s -> s {starThreshold = v}))),
+    number Sky "sky.stars.sharpness" (Quantity "a steepness" (Above 0) (UpTo 1e6) "") "Steepness of the edges of stars" (stars (part starSharpness (\v s -> s {starSharpness = v}))),
     number Sky "sky.stars.brightness" (Quantity "a radiance" (From 0) (UpTo 1e9) "") "Radiance of the brightest stars; 1 is display white at exposure 0" (stars (part starBrightness (\v s -> s {starBrightness = v}))),
-    switch Sky "sky.stars.colours" "Whether stars have the colours of black bodies, or are all white" (stars (part starColours (\v s -> s {starColours = v}))),
+    switch Sky "sky.stars.colours" "Whether stars have the colours of black bodies instead of being white" (stars (part starColours (\v s -> s {starColours = v}))),
     whole Sky "sky.points.count" (1, 1000000) "" "Number of random stars in the whole sky; turns the real stars into random ones" (pointStars (part pointStarsCount (\v s -> s {pointStarsCount = v}))),
-    number Sky "sky.points.brightness" (Quantity "a brightness" (From 0) (UpTo 1e9) "") "Flux of a random star of magnitude 0 in 1e-6 radiance times steradians" (pointStars (part pointStarsBrightness (\v s -> s {pointStarsBrightness = v}))),
-    number Sky "sky.points.milky-way" (Quantity "a radiance" (From 0) (UpTo 1e9) "") "Radiance of the random Milky Way where it is bright, 0 without" (pointStars (part pointStarsMilkyWay (\v s -> s {pointStarsMilkyWay = v}))),
-    whole Sampling "sampling.samples" (1, 65536) "" "Rays per pixel" (part sceneSamples (\v s -> s {sceneSamples = v}))
+    number Sky "sky.points.brightness" (Quantity "a brightness" (From 0) (UpTo 1e9) "") "Flux of a random star of magnitude 0 in units of 1e-6 steradians times radiance: at 1, it gives a pixel of one square milliradian the radiance 1" (pointStars (part pointStarsBrightness (\v s -> s {pointStarsBrightness = v}))),
+    number Sky "sky.points.milky-way" (Quantity "a radiance" (From 0) (UpTo 1e9) "") "Radiance of the bright parts of the random Milky Way; 0 for none" (pointStars (part pointStarsMilkyWay (\v s -> s {pointStarsMilkyWay = v}))),
+    whole Sampling "sampling.samples" (1, 65536) "" "Rays traced through every pixel" (part sceneSamples (\v s -> s {sceneSamples = v}))
       `withOption` ("samples", "N"),
-    number Sampling "sampling.noise" (Quantity "a part of white" (From 0) (UpTo 1) "") "Uncertainty of a pixel, as a part of white, beyond which it gets more rays; 0 for never" (part sceneNoise (\v s -> s {sceneNoise = v}))
+    number Sampling "sampling.noise" (Quantity "a fraction of white" (From 0) (UpTo 1) "") "Standard error, as a fraction of display white, above which a pixel gets more rays; 0 for never" (part sceneNoise (\v s -> s {sceneNoise = v}))
       `withOption` ("noise", "T"),
-    whole Sampling "sampling.most-samples" (1, 65536) "" "The most rays a pixel gets then" (part sceneMostSamples (\v s -> s {sceneMostSamples = v}))
+    whole Sampling "sampling.most-samples" (1, 65536) "" "Greatest number of rays for such a pixel" (part sceneMostSamples (\v s -> s {sceneMostSamples = v}))
       `withOption` ("most-samples", "N"),
-    choice Sampling "sampling.filter" "a filter" filters "How the samples around a pixel make up its value: box, gaussian or mitchell" (part sceneFilter (\v s -> s {sceneFilter = v}))
+    choice Sampling "sampling.filter" "a filter" filters "Reconstruction filter: box, gaussian or mitchell" (part sceneFilter (\v s -> s {sceneFilter = v}))
       `withOption` ("filter", "NAME"),
-    seed Sampling "sampling.seed" "Seed of gas, stars and sampling, from 0 to 2^64 - 1" (part sceneSeed (\v s -> s {sceneSeed = v}))
+    seed Sampling "sampling.seed" "Seed of the random gas, stars and sampling, 0 to 2^64 - 1" (part sceneSeed (\v s -> s {sceneSeed = v}))
       `withOption` ("seed", "N"),
-    number Output "output.exposure" (Quantity "a number of stops" (From (-100)) (UpTo 100) "") "Brighter (+) or darker (-) by powers of two (stops)" (part (exposureStops . sceneExposure) (\v s -> s {sceneExposure = Exposure v}))
+    number Output "output.exposure" (Quantity "a number of stops" (From (-100)) (UpTo 100) "") "Exposure in stops: +1 doubles the light, -1 halves it" (part (exposureStops . sceneExposure) (\v s -> s {sceneExposure = Exposure v}))
       `withOption` ("exposure", "STOPS"),
-    choice Output "output.tone-map" "a tone map" toneMaps ("How bright light is brought into range: " ++ intercalate ", " (map toneMapName [minBound ..])) (part sceneToneMap (\v s -> s {sceneToneMap = v}))
+    choice Output "output.tone-map" "a tone map" toneMaps ("Tone map, which compresses bright light into the range of a display: " ++ intercalate ", " (map toneMapName [minBound ..])) (part sceneToneMap (\v s -> s {sceneToneMap = v}))
       `withOption` ("tone-map", "NAME"),
-    switch Output "output.dither" "Whether codes of 8 bits are dithered against banding" (part ((== BlueNoise) . sceneDither) (\on s -> s {sceneDither = if on then BlueNoise else NoDither}))
+    switch Output "output.dither" "Whether to dither 8-bit files to prevent banding" (part ((== BlueNoise) . sceneDither) (\on s -> s {sceneDither = if on then BlueNoise else NoDither}))
       `withOption` ("dither", "on|off"),
-    number Output "output.bloom" (Quantity "a part" (From 0) (UpTo 1) "of the light") "Part of the light that the lens scatters, 0 to 1" (part sceneBloom (\v s -> s {sceneBloom = v}))
-      `withOption` ("bloom", "PART"),
-    switch Diagnostics "diagnostics.debug-textures" "Parity checks instead of gas and sky" (part sceneDebugTextures (\v s -> s {sceneDebugTextures = v}))
-      `withFlag` ("debug-textures", SwitchValue True, "Parity checks instead of gas and sky")
+    number Output "output.bloom" (Quantity "a fraction" (From 0) (UpTo 1) "of the light") "Fraction of the light that the lens scatters, 0 to 1" (part sceneBloom (\v s -> s {sceneBloom = v}))
+      `withOption` ("bloom", "FRACTION"),
+    switch Diagnostics "diagnostics.debug-textures" "Show checkerboards instead of the disk and the sky" (part sceneDebugTextures (\v s -> s {sceneDebugTextures = v}))
+      `withFlag` ("debug-textures", SwitchValue True, "Show checkerboards instead of the disk and the sky")
   ]
   where
     radii = "Schwarzschild radii"
     angle = Quantity "an angle"
+    projections =
+      [ (Perspective, projectionName Perspective, "a flat picture, as a lens draws it"),
+        (Fisheye, projectionName Fisheye, "a round picture with angles in proportion, as domes need it"),
+        (Equirectangular, projectionName Equirectangular, "longitude and latitude, as VR viewers need them")
+      ]
     observers =
       [ (Observer.Static, Observer.observerName Observer.Static, "at rest"),
         (Observer.Zamo, Observer.observerName Observer.Zamo, "without angular momentum, turning with space"),
         (Observer.Orbiting, Observer.observerName Observer.Orbiting, "on a circular orbit"),
         (Observer.CounterOrbiting, Observer.observerName Observer.CounterOrbiting, "on a circular orbit against the gas"),
         (Observer.Falling, Observer.observerName Observer.Falling, "falling in from rest at infinity"),
-        (Observer.Coordinate, Observer.observerName Observer.Coordinate, "the report's: nobody real")
+        (Observer.Coordinate, Observer.observerName Observer.Coordinate, "aims by coordinate directions, like the design report; not a real observer")
       ]
     filters =
       [ (Box, filterName Box, "the mean over the pixel's square"),
@@ -167,45 +190,59 @@ sceneFields =
         (Mitchell, filterName Mitchell, "crisp, with negative lobes")
       ]
     integrators =
-      [ (Tabulated, integratorName Tabulated, "closed-form orbits, tabulated for the camera's place"),
-        (Exact, integratorName Exact, "closed-form orbits, and finer steps through the gas"),
-        (Leapfrogging, integratorName Leapfrogging, "the report's steps")
+      [ (Tabulated, integratorName Tabulated, "closed-form orbits, tabulated for the camera's distance"),
+        (Exact, integratorName Exact, "closed-form orbits for each ray, and finer steps through the gas"),
+        (Leapfrogging, integratorName Leapfrogging, "numerical integration, as in the design report")
       ]
-    profiles = [(ConstantThickness, "constant", "the same everywhere"), (ConstantOpening, "opening", "in proportion to the distance")]
+    profiles = [(ConstantThickness, "constant", "the same everywhere"), (ConstantOpening, "opening", "in proportion to the radius")]
     skies =
       [ (StarSky, "stars", "the real stars and the Milky Way"),
-        (RandomStarSky, "random-stars", "point stars from the seed, before a band like the Milky Way"),
-        (NoiseSky, "noise", "stars cut out of noise, as the report has them"),
-        (GridSky, "grid", "fields of 10 degrees"),
-        (UniformSky, "uniform", "the same light everywhere"),
+        (RandomStarSky, "random-stars", "point stars made from the seed, and a band like the Milky Way"),
+        (NoiseSky, "noise", "stars made from noise, as in the design report"),
+        (GridSky, "grid", "a checkerboard with fields of 10 degrees"),
+        (UniformSky, "uniform", "equal radiance in all directions"),
         (NoSky, "none", "dark")
       ]
     toneMaps = [(tone, toneMapName tone, toneMapMeaning tone) | tone <- [minBound ..]]
     toneMapMeaning tone = case tone of
-      ToneNone -> "as it is"
-      ToneFilm -> "an emulsion's soft shoulder"
-      ToneReinhard -> "little contrast"
-      ToneAces -> "much contrast"
-      ToneAgx -> "for a very wide range of light"
+      ToneNone -> "none"
+      ToneFilm -> "the soft shoulder of photographic film"
+      ToneReinhard -> "low contrast"
+      ToneAces -> "high contrast"
+      ToneAgx -> "for very high dynamic range"
 
--- | A part that is always there.
+-- | A part that is always present.
 part :: (whole -> part) -> (part -> whole -> whole) -> Part whole part
 part get = Part (Just . get)
 
--- The height follows the width unless it is set itself.
+-- Setting the width sets the height, too; the height's own setting comes later.
 widthPart, heightPart :: Part Scene Int
 widthPart = part (pictureWidth . scenePicture) $ \w s ->
   let height
-        | w > 0 = max 1 (round (fromIntegral w * 9 / 16 :: Double))
+        | w > 0 = projectionHeight (sceneProjection s) w
         | otherwise = pictureHeight (scenePicture s)
    in s {scenePicture = Picture w height}
 heightPart = part (pictureHeight . scenePicture) (\h s -> s {scenePicture = (scenePicture s) {pictureHeight = h}})
 
+-- Choosing the projection that is there already leaves everything alone.
+projectionPart :: Part Scene Projection
+projectionPart = part sceneProjection $ \projection s ->
+  let width = pictureWidth (scenePicture s)
+   in if projection == sceneProjection s
+        then s
+        else
+          s
+            { sceneProjection = projection,
+              sceneCamera = (sceneCamera s) {cameraFieldOfView = projectionFieldOfView projection},
+              scenePicture = Picture width (projectionHeight projection width),
+              sceneBloom = if projection == Equirectangular then 0 else sceneBloom s
+            }
+
 camera :: Part Camera a -> Part Scene a
 camera = inside (part sceneCamera (\c s -> s {sceneCamera = c}))
 
--- An angle or distance given for a camera that stands at a place moves it from
--- there.
+-- For a camera placed by position, a distance or an angle changes the position's
+-- spherical coordinates.
 distancePart, inclinationPart, azimuthPart :: Part Scene Double
 distancePart = around (\r _ _ -> r) (\r (_, i, a) -> Around r i a)
 inclinationPart = around (\_ i _ -> inDegrees i) (\i (r, _, a) -> Around r (Degrees i) a)
@@ -228,8 +265,7 @@ around get put =
             toDegrees (Radians (atan2 z x))
           )
 
--- A place alone looks at the hole; a target alone is looked at from where the
--- camera stands.
+-- A new position makes the camera look at the hole; a new target keeps the position.
 positionPart, lookAtPart :: Part Scene XYZ
 positionPart = camera . pose $ Part (fmap fst . placed) (\place _ -> LookAt place (XYZ 0 0 0))
 lookAtPart = camera . pose $ Part (fmap snd . placed) (\target p -> LookAt (posePosition p) target)
@@ -280,7 +316,7 @@ presencePart = part (isJust . sceneDisk) $ \present s -> case (present, sceneDis
 disk :: Part Gas.Disk a -> Part Scene a
 disk = inside (Part sceneDisk (\d s -> s {sceneDisk = Just d}))
 
--- | The ways to shine without what belongs to them.
+-- | 'DiskColour' without its parameters.
 data Glow = RampGlow | BlackBodyGlow | BolometricGlow
   deriving (Eq)
 
@@ -293,7 +329,7 @@ glowPart = disk (part (glowOf . Gas.diskColour) (\glow d -> d {Gas.diskColour = 
     colourOf RampGlow _ = HueRamp
     colourOf BolometricGlow _ = Bolometric
     colourOf BlackBodyGlow colour@(BlackBody _) = colour
-    colourOf BlackBodyGlow _ = BlackBody 4500
+    colourOf BlackBodyGlow _ = BlackBody 2100
 
 temperaturePart :: Part Scene Double
 temperaturePart = disk (Part (temperature . Gas.diskColour) (\v d -> d {Gas.diskColour = BlackBody v}))
@@ -301,12 +337,11 @@ temperaturePart = disk (Part (temperature . Gas.diskColour) (\v d -> d {Gas.disk
     temperature (BlackBody t) = Just t
     temperature _ = Nothing
 
--- | The kinds of sky without what belongs to them.
+-- | 'Sky' without its parameters.
 data SkyKind = NoiseSky | StarSky | RandomStarSky | PanoramaSky !FilePath | GridSky | UniformSky | NoSky
   deriving (Eq)
 
--- Choosing the kind that is there already leaves its settings alone, and so does
--- another panorama.
+-- Choosing the present kind, or another file, keeps the other settings of the sky.
 skyKindPart :: Part Scene SkyKind
 skyKindPart = part (skyKind . sceneSky) $ \kind s -> case (kind, sceneSky s) of
   (PanoramaSky file, SkyPanorama p) -> s {sceneSky = SkyPanorama p {panoramaFile = file}}
@@ -371,8 +406,8 @@ rotationPart = Part (rotation . sceneSky) $ \v s -> case sceneSky s of
     rotation (SkyPanorama p) = Just (inDegrees (panoramaRotation p))
     rotation _ = Nothing
 
--- | A part of the random stars. Setting one makes the real stars random: before
--- there were real ones, @kind: stars@ named these.
+-- | A part of the random stars. Setting one makes the real stars random, which some
+-- presets show instead of random ones in scenes of earlier versions.
 pointStars :: Part PointStars a -> Part Scene a
 pointStars (Part get set) = Part (\scene -> random (sceneSky scene) >>= get) $ \v scene -> case sceneSky scene of
   SkyRandomStars points -> scene {sceneSky = SkyRandomStars (set v points)}

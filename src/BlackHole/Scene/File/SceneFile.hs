@@ -1,8 +1,8 @@
--- | Scene files: from YAML to settings, and back from a scene to YAML that says
--- what everything is.
+-- | Scene files: from YAML to settings, and from a scene back to commented YAML.
 module BlackHole.Scene.File.SceneFile
   ( SceneFile (..),
     PlacedSetting (..),
+    FormerName (..),
     parseSceneFile,
     readSettings,
     printScene,
@@ -25,40 +25,51 @@ import BlackHole.Scene.Scene
 import BlackHole.Scene.Setting
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified Data.ByteString as Bytes
-import Data.List (intercalate, isSuffixOf, nub, stripPrefix)
+import Data.List (intercalate, isPrefixOf, isSuffixOf, nub, stripPrefix)
 import Data.Maybe (mapMaybe)
 
--- | What a scene file says.
+-- | The contents of a scene file.
 data SceneFile = SceneFile
-  { -- | The preset it starts from, and its name; the default if it names none.
+  { -- | The name of the preset that it starts from; @default@ if it names none.
     filePreset :: !String,
-    fileSettings :: ![PlacedSetting]
+    fileSettings :: ![PlacedSetting],
+    -- | Settings that the file calls by former names.
+    fileFormerNames :: ![FormerName]
   }
   deriving (Eq, Show)
 
--- | A setting and the line it stands on.
+-- | The line, the former path that the file uses, and the present one.
+data FormerName = FormerName !Int !String !String
+  deriving (Eq, Show)
+
+-- | A setting and its line in the file, from 1.
 data PlacedSetting = PlacedSetting
   { placedLine :: !Int,
     placedSetting :: !Setting
   }
   deriving (Eq, Show)
 
--- | The settings of a file, given its bytes, and the lines of what is wrong with
--- the form of the others. Left is a file that is no YAML.
+-- | The contents of a file, given its bytes, and with their lines the problems of
+-- keys and values that could not be read. 'Left' if the file is not YAML.
 parseSceneFile :: Bytes.ByteString -> Either YamlFault (SceneFile, [(Int, Problem)])
 parseSceneFile bytes = do
   tree <- parseYaml bytes
   case tree of
     Just root -> Right (readSettings otherSections root)
-    Nothing -> Left (YamlFault 1 "there is nothing in the file")
+    Nothing -> Left (YamlFault 1 "the file is empty")
 
--- | The settings of a tree. The first argument names top-level keys that are
--- somebody else's business, like those of an animation.
+-- | The contents of a tree, without the sections (top-level keys) named in the first
+-- argument.
 readSettings :: [String] -> Node -> (SceneFile, [(Int, Problem)])
-readSettings foreign' root = (SceneFile preset settings, problems)
+readSettings sections root = (SceneFile preset settings former, problems)
   where
-    (found, problems) = level foreign' [] root
-    settings = [PlacedSetting line (Setting path value) | (line, path, value) <- found, path /= presetKey]
+    (found, problems) = level sections [] root
+    settings = [PlacedSetting line (Setting (currentPath path) (current path value)) | (line, path, value) <- found, path /= presetKey]
+    former = [FormerName line path (currentPath path) | (line, path, _) <- found, currentPath path /= path]
+    -- Before there were real stars, these were the random ones.
+    current path value
+      | path == "sky.kind" && value == NameValue "stars" && any (\(_, other, _) -> "sky.points." `isPrefixOf` other) found = NameValue "random-stars"
+      | otherwise = value
     preset = case [name | (_, path, NameValue name) <- found, path == presetKey] of
       name : _ -> name
       [] -> "default"
@@ -66,35 +77,36 @@ readSettings foreign' root = (SceneFile preset settings, problems)
 presetKey :: String
 presetKey = "preset"
 
--- | Top-level keys that say nothing about a single picture.
+-- | Sections (top-level keys) that do not belong to the scene of a single picture.
 otherSections :: [String]
 otherSections = ["animation"]
 
 type Found = ([(Int, String, Value)], [(Int, Problem)])
 
--- | What stands below a path, the path's last part first.
+-- | The settings below a path (its last part first), each with its line and the path
+-- as it is written in the file.
 level :: [String] -> [String] -> Node -> Found
-level foreign' above node = case node of
-  -- Looking for repeated keys is quadratic in their number.
+level sections above node = case node of
+  -- The search for repeated keys takes time quadratic in their number.
   Mapping line members
     | length (take 501 members) > 500 ->
-      wrong line (Problem (pathOr "scene" above) "a group of more than 500 keys" "possible in a scene file")
+      wrong line (Mistake (pathOr "scene" above) "a group of settings can have at most 500 keys")
   Mapping _ members -> foldMap (member members) (zip [0 :: Int ..] members)
-  _ -> ([], [(nodeLine node, Problem (pathOr "scene" above) (nodeText node) ("a group of settings; there are: " ++ intercalate ", " children))])
+  _ -> ([], [(nodeLine node, Problem (pathOr "scene" above) (nodeText node) ("a group of settings; the settings here are: " ++ intercalate ", " children))])
   where
     children = childrenOf above
     member members (i, (line, key, value))
-      | null above && key `elem` foreign' = mempty
+      | null above && key `elem` sections = mempty
       | (first, _, _) : _ <- [m | (j, m@(_, k, _)) <- zip [0 ..] members, k == key, j < i] =
-        wrong line (Problem path ("a second '" ++ shorten key ++ "'") ("possible; the first one is in line " ++ show first))
-      | null above && key == presetKey = leaf path line (ChoiceKind "a preset" [(n, "") | n <- presetNames]) value
-      | Just f <- findField path = leaf (fieldPath f) line (fieldKind f) value
-      | key `elem` children = level [] (key : above) value
+        wrong line (Mistake path ("given twice; the first one is in line " ++ show first))
+      | null above && key == presetKey = leaf line (ChoiceKind "a preset" [(n, "") | n <- presetNames]) value
+      | Just f <- findField (currentPath path) = leaf line (fieldKind f) value
+      | key `elem` children || any (((path ++ ".") `isPrefixOf`) . fst) formerPaths = level [] (key : above) value
       | otherwise = wrong line (Problem path ("'" ++ shorten key ++ "'") (unknown key))
       where
         path = pathOf (shorten key : above)
-        leaf current at kind v = case readNode kind v of
-          Right ok -> ([(at, current, ok)], [])
+        leaf at kind v = case readNode kind v of
+          Right ok -> ([(at, path, ok)], [])
           Left expected -> wrong (nodeLine v) (Problem path (nodeText v) expected)
     wrong line problem = ([], [(line, problem)])
     unknown key =
@@ -104,7 +116,7 @@ level foreign' above node = case node of
     hint key = case (nearest key children, elsewhere key) of
       (Just name, _) -> " (did you mean " ++ name ++ "?)"
       (Nothing, path : _) -> " (did you mean " ++ path ++ "?)"
-      _ -> "; there are: " ++ intercalate ", " children
+      _ -> if null children then "" else "; the settings here are: " ++ intercalate ", " children
     elsewhere key = [fieldPath f | f <- sceneFields, ('.' : key) `isSuffixOf` fieldPath f || optionName' f == Just key]
     optionName' f = drop 2 . optionName <$> fieldOption f
 
@@ -114,13 +126,13 @@ pathOf = intercalate "." . reverse
 pathOr :: String -> [String] -> String
 pathOr whole' above = if null above then whole' else pathOf above
 
--- | The keys that there may be below a path.
+-- | The keys that are allowed below a path.
 childrenOf :: [String] -> [String]
 childrenOf above = (if null above then presetKey : otherSections else []) ++ nub (mapMaybe (fmap (takeWhile (/= '.')) . below) sceneFields)
   where
     below f = if null above then Just (fieldPath f) else stripPrefix (pathOf above ++ ".") (fieldPath f)
 
--- | A value of a kind from a node, or what it should have been.
+-- | The value of a node of a kind, or what it should have been, as a noun phrase.
 readNode :: Kind -> Node -> Either String Value
 readNode VectorKind node = case node of
   Sequence _ items | Just [x, y, z] <- traverse coordinate items -> Right (VectorValue (XYZ x y z))
@@ -135,7 +147,7 @@ readNode kind node = case (kind, node) of
   (_, Scalar _ True text) -> readValue kind text
   _ -> Left (expectation kind "")
 
--- | YAML has its own words for what is no number.
+-- YAML spells infinity and NaN in its own way.
 yamlNumber :: String -> Maybe Double
 yamlNumber text = case text of
   ".nan" -> Just (0 / 0)
@@ -143,23 +155,23 @@ yamlNumber text = case text of
   "-.inf" -> Just (-1 / 0)
   _ -> readNumber text
 
--- | A node as a message names it.
+-- | What messages call a node.
 nodeText :: Node -> String
 nodeText node = case node of
-  Scalar _ _ "" -> "nothing"
+  Scalar _ _ "" -> "an empty value"
   Scalar _ True text -> "'" ++ shorten text ++ "'"
   Scalar _ False text -> "the text '" ++ shorten text ++ "'"
   Sequence _ _ -> "a list"
   Mapping _ _ -> "a group"
 
--- | One line of moderate length of any text.
+-- | A text as one line of at most 61 characters.
 shorten :: String -> String
 shorten text = case splitAt 60 (map (\c -> if c < ' ' then ' ' else c) text) of
   (start, []) -> start
   (start, _) -> start ++ "…"
 
--- | The whole scene as commented YAML, which reads as the same scene. The first
--- lines are comments, made of the given ones.
+-- | The whole scene as commented YAML, which reads as the same scene. It begins with
+-- the given lines as comments.
 printScene :: [String] -> Scene -> String
 printScene heading scene = unlines (map ("# " ++) heading ++ go [] entries)
   where
@@ -187,7 +199,6 @@ yamlValue value = case value of
   FileValue file -> quoted file
   VectorValue (XYZ x y z) -> "[" ++ intercalate ", " (map exactNumber [x, y, z]) ++ "]"
 
--- | Any text without control characters, in the quotes in which only they
--- themselves mean anything.
+-- | A text without control characters as a YAML string in single quotes.
 quoted :: String -> String
 quoted text = "'" ++ concatMap (\c -> if c == '\'' then "''" else [c]) text ++ "'"

@@ -1,5 +1,7 @@
--- | YAML as a tree that knows its lines. Only as much of YAML as a scene needs,
--- so that no file can make the reader work long: no aliases, little depth.
+-- | YAML as a tree with line numbers.
+--
+-- The reader accepts only as much of YAML as a scene needs (no aliases, limited depth),
+-- so that no file can keep it busy for long.
 module BlackHole.Scene.File.Yaml
   ( Node (..),
     nodeLine,
@@ -19,13 +21,12 @@ import GHC.IO.Encoding (utf8)
 import System.IO.Unsafe (unsafePerformIO)
 import Text.Libyaml
 
--- | A node with the line it begins on, counted from 1.
+-- | A node with the line on which it begins, counted from 1.
 data Node
-  = -- | A scalar: whether it stands there plain, without quotes and tag, and
-    -- its text.
+  = -- | A scalar: whether it is plain (without quotes and tag), and its text.
     Scalar !Int !Bool !String
   | Sequence !Int ![Node]
-  | -- | Keys with their lines, in the file's order, repeated ones included.
+  | -- | Keys with their lines, in the order of the file, including repeated ones.
     Mapping !Int ![(Int, String, Node)]
   deriving (Eq, Show)
 
@@ -36,19 +37,19 @@ nodeLine place = case place of
   Sequence line _ -> line
   Mapping line _ -> line
 
--- | The line at which reading stopped, and why.
+-- | The line at which reading stopped, and the reason.
 data YamlFault = YamlFault !Int !String
   deriving (Eq, Show)
 
--- | The most bytes a scene file may have.
+-- | The maximum size of a scene file in bytes.
 maximumYamlBytes :: Int
 maximumYamlBytes = 1048576
 
--- | The tree of a file's one document; 'Nothing' if it has none. Linear in the
--- bytes, of which there may be 'maximumYamlBytes'.
+-- | The tree of a file's single document; 'Nothing' if it has none. Linear in the size
+-- of the file, which is at most 'maximumYamlBytes'.
 --
--- The parser underneath is libyaml's, which keeps its state outside the heap and
--- tells faults by exceptions; the result depends on the bytes alone.
+-- The underlying parser is libyaml's, which keeps its state outside the heap and
+-- reports errors as exceptions. The result depends on the bytes alone.
 parseYaml :: Bytes.ByteString -> Either YamlFault (Maybe Node)
 parseYaml bytes
   | Bytes.length bytes > maximumYamlBytes =
@@ -91,7 +92,7 @@ document = do
             pure (Left (YamlFault (lineOf marked) "a second document begins; a scene file holds one"))
         _ -> pure (Right (Just root))
 
--- | Deeper than any scene needs, and far from what would cost time or memory.
+-- | Deeper than any scene needs, but shallow enough to cost neither time nor memory.
 maximumDepth :: Int
 maximumDepth = 16
 
