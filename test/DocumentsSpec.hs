@@ -3,7 +3,7 @@
 module DocumentsSpec (spec) where
 
 import BlackHole.Cli.Help
-import BlackHole.Cli.Options (Parsed (..), commandHelps, parseArguments)
+import BlackHole.Cli.Options (Parsed (..), commandHelps, formerOptions, parseArguments)
 import BlackHole.Cli.Run (exitCode)
 import BlackHole.Cli.SceneOptions (sceneOptions)
 import BlackHole.Scene.Field.Field
@@ -56,11 +56,11 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
           (_, "") -> []
           (cell, rest) -> cell : splitCells rest
         trim = dropWhileEnd isSpace . dropWhile isSpace
-        optionsIn cell = filter ("--" `isPrefixOf`) (words (map (\c -> if c `elem` "`,()" then ' ' else c) cell))
+        optionsOf cell = filter ("--" `isPrefixOf`) (words (map (\c -> if c `elem` "`,()" then ' ' else c) cell))
         sceneNames = concatMap entryNames (parserEntries sceneOptions)
     forM_ [c | c <- commandHelps, commandName c `notElem` ["help", "scene"], ' ' `notElem` commandName c] $ \c ->
       it ("lists every option of " ++ commandName c ++ " once, and no other") $ do
-        let listed = concatMap (concatMap optionsIn . take 1) (rowsOf (commandName c))
+        let listed = concatMap (concatMap optionsOf . take 1) (rowsOf (commandName c))
             inherited = if commandName c == "animate" then sceneNames else []
             own = [name | name <- concatMap entryNames (commandEntries c), "--" `isPrefixOf` name, name `notElem` inherited]
         sort (nub listed) `shouldBe` sort own
@@ -69,7 +69,7 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
     it "names every command of scene" $
       mapM_ (\c -> unlines (sectionOf "scene") `shouldSatisfy` isInfixOf ("blackhole " ++ commandName c)) [c | c <- commandHelps, "scene " `isPrefixOf` commandName c]
     it "has the defaults of the settings" $ do
-      let documented = concat [zip (optionsIn names) (map trim (separated standard)) | [names, _, standard] <- rowsOf "render", standard /= ""]
+      let documented = concat [zip (optionsOf names) (map trim (separated standard)) | [names, _, standard] <- rowsOf "render", standard /= ""]
           separated cell = case break (== ',') cell of
             (a, _ : rest) -> a : separated rest
             (a, []) -> [a]
@@ -81,7 +81,7 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
                 Just o@(Takes _ _) <- [fieldOption f],
                 Just value <- [fieldGet f defaultScene]
             ]
-      [(name, plain shown) | (name, shown) <- documented, name `elem` map fst true] `shouldMatchList` true
+      [(name, plain meaning) | (name, meaning) <- documented, name `elem` map fst true] `shouldMatchList` true
   it "links of the documents lead to files" $ do
     targets <- concat <$> mapM (\document -> map (takeDirectory document </>) . links <$> readFile document) documents
     missing <- filterM (fmap not . doesPathExist) (nub targets)
@@ -102,7 +102,7 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
       length named `shouldSatisfy` (> 30)
       filter (not . known . snd) named `shouldBe` []
     it "name options that exist" $ do
-      let options = concatMap (concatMap optionsIn . lines . helpOf) commands ++ ["--help", "--version"] ++ scripts
+      let options = concatMap (concatMap optionsIn . lines . helpOf) commands ++ ["--help", "--version"] ++ map fst formerOptions ++ scripts
           -- Of other programs: script/install and sbatch.
           scripts = ["--prefix", "--uninstall", "--array"]
           named = [(document, option) | (document, code) <- spans, any (`isPrefixOf` code) ["-", "blackhole "], option <- optionsIn code]
@@ -123,7 +123,7 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
         lookup "README.md" texts `shouldSatisfy` maybe False (elem file . links)
         lookup "docs/README.md" texts `shouldSatisfy` maybe False (elem (takeFileName file) . links)
     it "list every exit code" $ do
-      let listed = [number | line <- maybe [] lines (lookup "README.md" texts), Just rest <- [stripPrefix "| " line], Just number <- [readMaybe (takeWhile (/= ' ') rest)]]
+      let listed = [listedCode | line <- maybe [] lines (lookup "README.md" texts), Just rest <- [stripPrefix "| " line], Just listedCode <- [readMaybe (takeWhile (/= ' ') rest)]]
           code status = case exitCode status of
             ExitSuccess -> 0 :: Int
             ExitFailure n -> n
@@ -167,15 +167,15 @@ quotations =
 
 -- | The code within the sentences and tables of a document.
 codeSpans :: String -> [String]
-codeSpans = concatMap (inside . filter (/= '\\')) . prose False . lines
+codeSpans = concatMap (quoted . filter (/= '\\')) . prose False . lines
   where
     prose fenced (line : rest)
       | "```" `isPrefixOf` line = prose (not fenced) rest
       | fenced || "    " `isPrefixOf` line = prose fenced rest
       | otherwise = line : prose fenced rest
     prose _ [] = []
-    inside line = case break (== '`') line of
-      (_, _ : rest) -> let (code, more) = break (== '`') rest in code : inside (drop 1 more)
+    quoted line = case break (== '`') line of
+      (_, _ : rest) -> let (code, more) = break (== '`') rest in code : quoted (drop 1 more)
       _ -> []
 
 -- | The file of the repository that a piece of code stands for, without what only

@@ -35,12 +35,13 @@ module BlackHole.Animation.Claim
 where
 
 import BlackHole.Image.PartFile (machine)
-import Control.Concurrent (threadDelay)
+import Control.Concurrent (myThreadId, threadDelay)
 import Control.Concurrent.Async (withAsync)
 import Control.Exception (IOException, bracket, catch, throwIO, try)
 import Control.Monad (forever, void)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Char8
+import Data.Char (isDigit)
 import Data.List (intercalate, stripPrefix)
 import Data.Maybe (fromMaybe, mapMaybe)
 import Foreign.C (throwErrnoIfMinus1, withCString)
@@ -227,11 +228,9 @@ judge (ClaimFolder folder self patience) path = do
     -- The present time according to the file system.
     folderClock at holder =
       bracket
-        (writeFile probe "" >> pure probe)
+        (temporaryName "clock" holder >>= \name -> writeFile (at </> name) "" >> pure (at </> name))
         removeQuietly
         (fmap modificationTime . getFileStatus)
-      where
-        probe = at </> temporaryName "clock" holder
 
 -- | The start time of a process, as far as the system reveals it; 'Nothing' if there is
 -- no such process.
@@ -257,7 +256,7 @@ processStart process = do
 -- | Creates a file with this process's name in it; 'False' if the file exists.
 makeExclusively :: ClaimFolder -> FilePath -> IO Bool
 makeExclusively (ClaimFolder folder self _) path =
-  bracket (Bytes.writeFile temporary content >> pure temporary) removeQuietly $ \_ -> do
+  bracket (temporaryName "claim" self >>= \name -> Bytes.writeFile (folder </> name) content >> pure (folder </> name)) removeQuietly $ \temporary -> do
     linked <- try (createLink temporary path)
     case linked of
       Right () -> pure True
@@ -266,7 +265,6 @@ makeExclusively (ClaimFolder folder self _) path =
         | isAlreadyExistsError refusal -> (== 2) . linkCount <$> getFileStatus temporary
         | otherwise -> withoutLinks
   where
-    temporary = folder </> temporaryName "claim" self
     content = Char8.pack (renderHolder self)
     -- Some file systems have no links; a claim is then empty for a moment.
     withoutLinks = do
@@ -280,9 +278,11 @@ makeExclusively (ClaimFolder folder self _) path =
           | isAlreadyExistsError refusal -> pure False
           | otherwise -> throwIO (refusal :: IOException)
 
-temporaryName :: String -> Holder -> String
-temporaryName purpose holder =
-  intercalate "." ["", purpose, filter (/= '/') (holderHost holder), take 8 (holderBoot holder), show (holderProcess holder)]
+-- One for each thread, since a film's list and its frames are claimed at once.
+temporaryName :: String -> Holder -> IO String
+temporaryName purpose holder = do
+  thread <- filter isDigit . show <$> myThreadId
+  pure (intercalate "." ["", purpose, filter (/= '/') (holderHost holder), take 8 (holderBoot holder), show (holderProcess holder), thread])
 
 -- | Runs an action with the folder's lock. On a file system without locks it runs
 -- without one, protected only by the exclusive creation of claims.

@@ -133,7 +133,7 @@ adjustFilm options film =
       filmRate = rate,
       filmFrames = case (animateDuration options, animateRate options) of
         (Nothing, Nothing) -> filmFrames film
-        -- Numbers that make no sense are reported by 'usageProblems'.
+        -- Numbers that make no sense are reported by 'paceProblems'.
         _ | rate > 0 && duration > 0 -> round (min 1e9 (duration * rate))
         _ -> filmFrames film,
       filmShutter =
@@ -210,7 +210,7 @@ plan options environment coder film = do
   refuse WrongArguments (map renderProblem (usageProblems options film))
   shard <- either (Left . (,) WrongArguments . pure . ("--shard: " ++)) Right (shardOf (animateShard options))
   name <- either (Left . (,) WrongArguments . pure . (("--output: '" ++ output ++ "' is not ") ++)) Right (parseFrameName output)
-  refuse WrongFilm (map renderProblem (filmProblems film))
+  refuse WrongFilm (map renderProblem (paceProblems options film ++ filmProblems film))
   let frames = takeShard shard selected
   refuse WrongFilm (take maximumFaults (frameFaults film frames))
   video <- traverse coded [(coding, file) | Just file <- [animateVideo options], Just coding <- [videoCodingOf options]]
@@ -234,6 +234,18 @@ videoCodingOf options = do
   kind <- videoKind =<< animateVideo options
   Just (VideoCoding kind (animateCodec options) (animateCrf options))
 
+-- | Values of options that would be as wrong in the scene file's section on the film.
+paceProblems :: AnimateOptions scene -> Film -> [Problem]
+paceProblems options film =
+  [ Problem "--fps" (show rate) "a number of frames per second from 0.001 to 1000"
+    | Just rate <- [animateRate options],
+      not (rate >= 0.001 && rate <= 1000)
+  ]
+    ++ [ Problem "--duration" (show seconds) ("a duration of 1 to " ++ show maximumFrames ++ " frames at " ++ show (filmRate film) ++ " frames per second")
+         | Just seconds <- [animateDuration options],
+           not (seconds > 0 && filmFrames film >= 1 && filmFrames film <= maximumFrames)
+       ]
+
 usageProblems :: AnimateOptions scene -> Film -> [Problem]
 usageProblems options film =
   [ Problem "--video" ("'" ++ file ++ "'") ("a file name that ends in one of " ++ intercalate ", " videoExtensions)
@@ -256,14 +268,6 @@ usageProblems options film =
        ]
     ++ foldMap (checkNumber "--orbit" ((<= 3.6e6) . abs) "an angle from -3600000 to 3600000 (degrees)") (animateOrbit options)
     ++ checkThreads (animateThreads options)
-    ++ [ Problem "--fps" (show rate) "a number of frames per second from 0.001 to 1000"
-         | Just rate <- [animateRate options],
-           not (rate >= 0.001 && rate <= 1000)
-       ]
-    ++ [ Problem "--duration" (show seconds) ("a duration of 1 to " ++ show maximumFrames ++ " frames at " ++ show (filmRate film) ++ " frames per second")
-         | Just seconds <- [animateDuration options],
-           not (seconds > 0 && filmFrames film >= 1 && filmFrames film <= maximumFrames)
-       ]
     ++ [ Problem "--frame-range" (show from ++ maybe "" (\end -> if end == from then "" else '-' : show end) to) ("a range of frames of this film, which are 0 to " ++ show (filmFrames film - 1))
          | Just (from, to) <- [animateFrames options],
            maximum (from : toList to) >= filmFrames film

@@ -72,7 +72,7 @@ availableMemory = do
   used <- readSmall "/sys/fs/cgroup/memory.current"
   own <- softLimit . either noLimits id <$> (try (getResourceLimit ResourceTotalMemory) :: IO (Either IOException ResourceLimits))
   let group = (\l u -> max 0 (l - u)) <$> (readMaybe =<< limit) <*> (readMaybe =<< used)
-      known = catMaybes [free, group, ((`quot` 3) . (* 2)) <$> asNumber own]
+      known = catMaybes [free, group, (`quot` 3) . (* 2) <$> asNumber own]
   pure (if null known then Nothing else Just (minimum known))
   where
     noLimits _ = ResourceLimits ResourceLimitUnknown ResourceLimitUnknown

@@ -5,6 +5,7 @@ module BlackHole.Cli.Options
     renderTarget,
     Parsed (..),
     parseArguments,
+    formerOptions,
     formerOptionWarnings,
     commandHelps,
     completion,

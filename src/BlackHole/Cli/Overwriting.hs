@@ -1,3 +1,5 @@
+{-# LANGUAGE TupleSections #-}
+
 -- | Files that a command would overwrite although it reads them, or writes them
 -- twice.
 module BlackHole.Cli.Overwriting (overwritten) where
@@ -20,7 +22,7 @@ overwritten inputs outputs = do
   found <- mapM identified outputs
   pure (go known (catMaybes found))
   where
-    identified named@(_, path) = fmap (\identity -> (identity, named)) <$> identify path
+    identified named@(_, path) = fmap (,named) <$> identify path
     go _ [] = []
     go known ((identity, (option, path)) : rest) =
       [ option ++ ": '" ++ path ++ "' is the file of " ++ other ++ (if path == otherPath then "" else " ('" ++ otherPath ++ "')") ++ "; choose another"

@@ -62,7 +62,7 @@ splitMoments text = case break (countMark `Bytes.isPrefixOf`) (Characters.lines 
     -- The number of lines of each scene after the first, and the lines that differ.
     momentsIn lines' = case dropWhile (null . lineCount) lines' of
       line : more ->
-        let (own, others) = break (not . null . lineCount) more
+        let (own, others) = span (null . lineCount) more
          in (sum (lineCount line), Map.fromList (mapMaybe replacement own)) : momentsIn others
       [] -> []
     lineCount line = fst <$> (Bytes.stripPrefix momentMark line >>= Characters.readInt)

@@ -43,7 +43,7 @@ describedPresets =
     Preset "edge-on" "the disk seen from within a degree of its plane" (seenFrom 89 defaultScene),
     Preset "face-on" "the disk seen from almost above its pole" (seenFrom 4 defaultScene),
     Preset "luminet" "Luminet's picture of 1979: a thin opaque disk, its intensity over all wavelengths, without colour" luminetScene,
-    Preset "lens-only" "no disk, only the sky distorted by the hole" defaultScene {sceneDisk = Nothing, sceneExposure = Exposure 1.5},
+    Preset "lens-only" "no disk, only the sky distorted by the hole" defaultScene {sceneDisk = Nothing, sceneSky = SkyStars realSky {realSkyRotation = Degrees (-6), realSkyMilkyWay = 3}, sceneExposure = Exposure 1.5},
     Preset "photon-ring" "a close-up of the rings formed by light that has gone around the hole" photonRingScene,
     Preset "falling" "the view of an observer falling into the hole, at r = 2.6" fallingScene
   ]
@@ -138,7 +138,7 @@ defaultScene =
       sceneStep = 0.1,
       sceneDisk = Just defaultDisk,
       -- A Milky Way that can be seen beside the glowing gas.
-      sceneSky = SkyStars realSky {realSkyMilkyWay = 3},
+      sceneSky = SkyStars realSky {realSkyMilkyWay = 2},
       sceneShifts = Shifts True True,
       sceneDebugTextures = False,
       sceneSamples = 4,

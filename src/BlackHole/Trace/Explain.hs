@@ -109,9 +109,9 @@ explainPixel traced column row
     Just
       Explanation
         { explainedPixel = (column, row),
-          explainedMiddle = sighting scene traced (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)),
+          explainedMiddle = sighting scene traced Nothing (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)),
           explainedSamples =
-            [ (sighting scene traced place) {sightingWeight = weight}
+            [ (sighting scene traced (pixelSky traced column row) place) {sightingWeight = weight}
               | Sample place weight <- pixelSamples traced (estimateCount estimate) column row
             ],
           explainedRadiance = radiance,
@@ -123,14 +123,14 @@ explainPixel traced column row
     estimate = pixelEstimate traced column row
     radiance = estimatedRadiance estimate
 
-sighting :: Scene -> Tracer -> XY -> Sighting
-sighting scene traced point =
+sighting :: Scene -> Tracer -> Maybe SkyPatch -> XY -> Sighting
+sighting scene traced shared point =
   Sighting
     { sightingPoint = point,
       sightingWeight = 1,
       sightingDirection = tracedDirection traced point,
-      sightingArrival = arrival scene traced point <$> tracedSight traced point,
-      sightingRadiance = sightRadiance traced point
+      sightingArrival = arrival scene traced shared point <$> tracedSight traced point,
+      sightingRadiance = sharingRadiance traced shared point
     }
 
 -- | The gathered light, and the number of segments that contributed to it.
@@ -143,8 +143,8 @@ gatheredAlong :: Tracer -> XY -> SightLine -> (Fate, Int, Int)
 gatheredAlong traced point sight = case counted traced point sight of
   Followed fate (Counted samples _) steps -> (fate, steps, samples)
 
-arrival :: Scene -> Tracer -> XY -> SightLine -> Arrival
-arrival scene traced point sight@(SightLine photon observed) =
+arrival :: Scene -> Tracer -> Maybe SkyPatch -> XY -> SightLine -> Arrival
+arrival scene traced shared point sight@(SightLine photon observed) =
   case counted traced point sight of
     Followed fate (Counted samples (Gathered light transmittance)) steps ->
       Arrival
@@ -156,7 +156,7 @@ arrival scene traced point sight@(SightLine photon observed) =
           arrivalGasSamples = samples,
           arrivalTransmittance = transmittance,
           arrivalGas = light,
-          arrivalSky = tracedSky traced point sight fate
+          arrivalSky = sharedSky traced shared point sight fate
         }
 
 counted :: Tracer -> XY -> SightLine -> Followed Counted

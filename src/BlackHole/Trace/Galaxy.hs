@@ -1,8 +1,7 @@
 -- | How the galaxy lies in the sky of the scene: for a camera that looks at the hole
--- from a little above the disk, at azimuth 90°, the Milky Way crosses behind the hole
--- from the lower left to the upper right, and the galactic centre stands a little to
--- the right of the hole. North is at the upper left, as seen from inside: nothing is
--- mirrored.
+-- from a little above the disk, at azimuth 90°, the Milky Way rises on the right of the
+-- hole, opposite to the side of the disk that approaches, with the galactic centre at
+-- the upper right. North is on the left, as seen from inside: nothing is mirrored.
 module BlackHole.Trace.Galaxy
   ( galacticPole,
     galacticCentre,
@@ -17,13 +16,13 @@ import Data.Maybe (fromMaybe)
 
 -- | The direction to the galactic centre (unit length).
 galacticCentre :: XYZ
-galacticCentre = unit (XYZ 0.139 (-0.083) (-1))
+galacticCentre = unit (XYZ 0.22 (-0.009) (-1))
 
 -- | The direction of the north galactic pole (unit length).
 galacticPole :: XYZ
 galacticPole = unit (towards ^-^ XYZ.dot towards galacticCentre *^ galacticCentre)
   where
-    towards = XYZ (-0.788) 0.597 (-0.159)
+    towards = XYZ (-0.974) 0.191 (-0.213)
 
 -- | The third axis, in the plane, at longitude 90°.
 galacticEast :: XYZ

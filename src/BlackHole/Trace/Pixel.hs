@@ -25,6 +25,10 @@ module BlackHole.Trace.Pixel
     tracedSight,
     tracedGas,
     tracedSky,
+    SkyPatch,
+    pixelSky,
+    sharingRadiance,
+    sharedSky,
     tracedBeam,
     followSight,
   )
@@ -173,9 +177,7 @@ addSamples :: Tracer -> Int -> Int -> Estimate -> Int -> Int -> Estimate
 addSamples prepared from to estimate column row = go from estimate
   where
     traced = lazy prepared
-    shared
-      | to - from > 1 = skyPatch traced (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5))
-      | otherwise = Nothing
+    shared = pixelSky traced column row
     go !index !sums
       | index < to =
         let Sample place weight = samplePoint (tracerScene traced) column row index
@@ -246,10 +248,15 @@ seen :: Tracer -> Maybe SkyPatch -> XY -> SightLine -> Followed Gathered -> Radi
 seen traced shared point sight (Followed fate (Gathered light transmittance) _) =
   light <+> scaleRadiance transmittance behind
   where
-    behind = case fate of
-      Escaped direction | Just patch <- shared, Just sky <- patchRadiance patch point direction -> sky
-      _ -> tracedSky traced point sight fate
+    behind = sharedSky traced shared point sight fate
 {-# INLINE seen #-}
+
+-- | 'tracedSky', given the sky behind the pixel where it is known.
+sharedSky :: Tracer -> Maybe SkyPatch -> XY -> SightLine -> Fate -> Radiance
+sharedSky traced shared point sight fate = case fate of
+  Escaped direction | Just patch <- shared, Just sky <- patchRadiance patch point direction -> sky
+  _ -> tracedSky traced point sight fate
+{-# INLINE sharedSky #-}
 
 -- | The sky behind a pixel, without gas: the pixel's centre, the beam through it, the
 -- square of the distance from the beam's prediction up to which a line of sight may
@@ -261,20 +268,21 @@ data SkyPatch
       {-# UNPACK #-} !Double
       {-# UNPACK #-} !Radiance
 
--- | The sky behind the pixel around a point of the picture, for all of its samples: the
--- light through a beam is already filtered for a whole pixel, so one evaluation is
--- enough. 'Nothing' for a sky that is cheap to evaluate, and where no light arrives from
--- it.
-skyPatch :: Tracer -> XY -> Maybe SkyPatch
-skyPatch traced point = case tracerSky traced of
-  ByDirection _ -> Nothing
-  ByBeam shader -> do
+-- | The sky behind a pixel, by column and row, for all of its samples: the light
+-- through a beam is already filtered for a whole pixel, so one evaluation is enough.
+-- 'Nothing' for a sky that is cheap to evaluate, for pixels of one sample, and where no
+-- light arrives from the sky.
+pixelSky :: Tracer -> Int -> Int -> Maybe SkyPatch
+pixelSky traced column row = case tracerSky traced of
+  ByBeam shader | mostSamples (tracerScene traced) > 1 -> do
+    let point = XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)
     sight <- tracedSight traced point
     direction <- escapeDirection traced point sight
     beam <- tracedBeam traced point sight direction
     let area = beamSolidAngle beam
         breadth = XYZ.dot (beamAlongX beam) (beamAlongX beam) + XYZ.dot (beamAlongY beam) (beamAlongY beam)
     pure (SkyPatch point beam (0.01 * area * area / breadth) (shader (skyShift (tracerSkyShift traced) (sightFrequency sight)) beam))
+  _ -> Nothing
 
 -- | A patch's light for a line of sight through a point of the picture that escapes in
 -- this direction. 'Nothing' if the direction is farther from the beam's prediction than
@@ -387,10 +395,11 @@ addRingSamples :: Tracer -> PhotonRing -> Int -> Int -> Estimate -> Int -> Int -
 addRingSamples prepared ring from to estimate column row = go from estimate
   where
     traced = lazy prepared
+    shared = pixelSky traced column row
     go !index !sums
       | index < to =
         let Sample place weight = ringPoint traced ring column row index
-            light = if weight == 0 then black else sightRadiance traced place
+            light = if weight == 0 then black else sharingRadiance traced shared place
          in go (index + 1) (addSample (tracerGain traced) weight light sums)
       | otherwise = sums
 

@@ -67,9 +67,9 @@ starField unitFlux stars = foldr seq (StarField tiers) tiers
     tiers =
       [ tier unitFlux stars side limit rings from (min to (starCount stars))
         | (from, to, side, limit, rings) <-
-            [ (0, 400, 16, 0.4, 16),
-              (400, 6000, 64, 0.14, 32),
-              (6000, starCount stars, 160, 0.05, 64)
+            [ (0, 400, 16, 0.6, 16),
+              (400, 6000, 64, 0.23, 32),
+              (6000, starCount stars, 160, 0.083, 64)
             ],
           from < min to (starCount stars)
       ]

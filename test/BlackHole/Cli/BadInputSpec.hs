@@ -93,7 +93,7 @@ spec = do
       scenesIn (forged 1 lineCount) `shouldReturn` Just 2
       scenesIn (forged 1023 lineCount) `shouldReturn` Just 1024
       scenesIn (forged 1024 lineCount) `shouldReturn` Just 0
-      scenesIn (forged 1023 1000000) `shouldReturn` Just 0
+      scenesIn (forged 1023 (1000000 :: Int)) `shouldReturn` Just 0
   forM_ panoramas $ \(name, whole) ->
     it ("answers damaged panoramas with little work and memory: " ++ name) $
       withSystemTempDirectory "blackhole-spec" $ \folder ->
@@ -124,7 +124,7 @@ spec = do
     argumentsAnswer arguments = case parseArguments "v" arguments of
       Run (Render options) -> either unlines show (resolveScene (renderScene options) Nothing)
       other -> show other
-    labelAnswer label = either unlines show (resolveLabel (SceneOptions Nothing Nothing []) "a.png" (labelScene label))
+    labelAnswer found = either unlines show (resolveLabel (SceneOptions Nothing Nothing []) "a.png" (labelScene found))
     fileAnswer bytes = either unlines show (resolveScene (SceneOptions (Just "a.yaml") Nothing []) (Just bytes))
     lined = Characters.pack . unlines
     sceneBytes = Characters.pack (printScene [] defaultScene)

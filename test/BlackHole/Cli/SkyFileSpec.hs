@@ -7,7 +7,6 @@ import BlackHole.Scene.Field.Kind (Value (..))
 import BlackHole.Scene.Preset (defaultScene)
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Setting
-import BlackHole.Scene.Sky
 import BlackHole.Trace.Sky (neededPicture)
 import BlackHole.Trace.SkyImage (skyImageMean)
 import Codec.Picture
@@ -38,7 +37,7 @@ spec = do
     scene ["kind: satrs"] `shouldSatisfy` either (any ("did you mean stars?" `isInfixOf`)) (const False)
     scene ["kind: \"a\\nb.png\""] `shouldSatisfy` either (const True) (const False)
     fmap neededPicture (scene ["kind: ./stars"]) `shouldBe` Right (Just "./stars")
-    fmap sceneSky (scene ["kind: STARS"]) `shouldBe` Right (SkyStars realSky)
+    fmap sceneSky (scene ["kind: STARS"]) `shouldBe` Right (sceneSky defaultScene)
   it "renders it, again from its own picture, in tiles, and explains it" . inFolder $ \folder -> do
     quietly (picture folder "whole.png") `shouldReturn` ExitSuccess
     quietly ["render", "--from", folder </> "whole.png", "-o", folder </> "again.png"] `shouldReturn` ExitSuccess

@@ -1,9 +1,6 @@
 module BlackHole.Cli.StatsSpec (spec) where
 
 import BlackHole.Cli.Memory
-import BlackHole.Scene.Camera (Picture (..))
-import BlackHole.Scene.Preset
-import BlackHole.Scene.Scene
 import qualified Data.ByteString as Bytes
 import Data.List (isInfixOf)
 import Support.Json

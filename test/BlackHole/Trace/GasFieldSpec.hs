@@ -40,9 +40,9 @@ spec = do
         ]
     it "changes without a jump, also where one pattern gives way to the next" $
       sequence_
-        [ after p `shouldBeWithin` (1e-3, before' p)
+        [ afterwards p `shouldBeWithin` (1e-3, before' p)
           | lives <- map (* 0.25) [1 .. 12],
-            let after = density turbulent {diskTime = (lives + 1e-7) * life}
+            let afterwards = density turbulent {diskTime = (lives + 1e-7) * life}
                 before' = density turbulent {diskTime = (lives - 1e-7) * life},
             p <- take 6 (places 5 0.05)
         ]

@@ -79,11 +79,11 @@ spec = do
       case realMilkyWay of
         Nothing -> expectationFailure "no picture"
         Just image ->
-          sequence_
-            [ luminance (at (l + 0.01) b) `shouldBeWithin` (0.02 * luminance (at l b), luminance (at (l - 0.01) b))
-              | (l, b) <- [(180, b) | b <- [-80, -40, -10, -3, 0, 2, 7, 30, 70]] ++ [(l, s * 89.99) | l <- [0, 77 .. 360], s <- [1, -1]],
-                let at l' b' = skyImageRadiance image (Beam (galactic (l' * degree) (b' * degree)) (XYZ 0 0 0) (XYZ 0 0 0))
-            ]
+          let at l b = skyImageRadiance image (Beam (galactic (l * degree) (b * degree)) (XYZ 0 0 0) (XYZ 0 0 0))
+           in sequence_
+                [ luminance (at (l + 0.01) b) `shouldBeWithin` (0.02 * luminance (at l b), luminance (at (l - 0.01) b))
+                  | (l, b) <- [(180, b) | b <- [-80, -40, -10, -3, 0, 2, 7, 30, 70]] ++ [(l, s * 89.99) | l <- [0, 77 .. 360], s <- [1, -1]]
+                ]
   describe "the frame" $ do
     prop "turns without stretching or mirroring" $ \(Direction a) (Direction b) ->
       let turn = toRealSky 0.7

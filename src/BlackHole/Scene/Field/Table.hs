@@ -371,8 +371,8 @@ rotationPart = Part (rotation . sceneSky) $ \v s -> case sceneSky s of
     rotation (SkyPanorama p) = Just (inDegrees (panoramaRotation p))
     rotation _ = Nothing
 
--- | A part of the random stars. Setting one makes the real stars random: before
--- there were real ones, @kind: stars@ named these.
+-- | A part of the random stars. Setting one makes the real stars random, which some
+-- presets show instead of random ones in scenes of earlier versions.
 pointStars :: Part PointStars a -> Part Scene a
 pointStars (Part get set) = Part (\scene -> random (sceneSky scene) >>= get) $ \v scene -> case sceneSky scene of
   SkyRandomStars points -> scene {sceneSky = SkyRandomStars (set v points)}

@@ -64,8 +64,12 @@ readSettings :: [String] -> Node -> (SceneFile, [(Int, Problem)])
 readSettings sections root = (SceneFile preset settings former, problems)
   where
     (found, problems) = level sections [] root
-    settings = [PlacedSetting line (Setting (currentPath path) value) | (line, path, value) <- found, path /= presetKey]
+    settings = [PlacedSetting line (Setting (currentPath path) (current path value)) | (line, path, value) <- found, path /= presetKey]
     former = [FormerName line path (currentPath path) | (line, path, _) <- found, currentPath path /= path]
+    -- Before there were real stars, these were the random ones.
+    current path value
+      | path == "sky.kind" && value == NameValue "stars" && any (\(_, other, _) -> "sky.points." `isPrefixOf` other) found = NameValue "random-stars"
+      | otherwise = value
     preset = case [name | (_, path, NameValue name) <- found, path == presetKey] of
       name : _ -> name
       [] -> "default"

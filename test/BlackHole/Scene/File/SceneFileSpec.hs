@@ -3,6 +3,7 @@
 module BlackHole.Scene.File.SceneFileSpec (spec) where
 
 import BlackHole.Image.Bytes (strict)
+import BlackHole.Physics.Angle (Degrees (..))
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Disk
 import BlackHole.Scene.Field.Field (Field (..))
@@ -12,6 +13,7 @@ import BlackHole.Scene.Preset
 import BlackHole.Scene.Resolve
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Setting
+import BlackHole.Scene.Sky
 import BlackHole.Scene.Validate (validateScene)
 import Control.Monad (filterM)
 import qualified Data.ByteString as Bytes
@@ -51,6 +53,13 @@ spec = do
   it "starts from a preset and replaces what it names" $
     fmap (\s -> (scenePicture s, diskArms <$> sceneDisk s)) (parse "preset: report\nimage: {width: 640}\ndisk:\n  arms:\n    count: 3\n")
       `shouldBe` Right (Picture 640 360, Just 3)
+  it "still shows random stars where an earlier version made them, and knows the earlier name of the turn" $ do
+    fmap sceneSky (parse "sky: {kind: stars, points: {count: 500, brightness: 80, milky-way: 0.07}}")
+      `shouldBe` Right (SkyRandomStars defaultPointStars {pointStarsCount = 500})
+    fmap sceneSky (parse "preset: report\nsky: {kind: stars, rotation: 20}")
+      `shouldBe` Right (SkyStars realSky {realSkyRotation = Degrees 20})
+    fmap sceneSky (parse "sky: {kind: a/b.png, panorama: {rotation: 20}}")
+      `shouldBe` Right (SkyPanorama (panoramaOf "a/b.png") {panoramaRotation = Degrees 20})
   it "options count more than the file" $
     fmap sceneSamples (resolveRequest (Request Nothing (Just ("s.yaml", "sampling: {samples: 9}")) "." [s | s <- sceneSettings reportScene, settingPath s == "sampling.samples"]))
       `shouldBe` Right 1
@@ -83,7 +92,7 @@ spec = do
     complains "settings that undo each other" "camera:\n  position: [0, 5, 20]\n  distance: 9\n" ["s.yaml:3: camera.distance: 9 has no effect with camera.position 0,5,20"]
     complains "settings of a disk that is not there" "disk:\n  present: off\n  arms: {count: 3}\n" ["s.yaml:3: disk.arms.count: 3 has no effect with disk.present off"]
     complains "settings whose condition does not hold" "physics: {step: 0.05}\n" ["s.yaml:1: physics.step: 0.05 has no effect; it applies only with physics.integrator leapfrog"]
-    complains "settings of another sky" "sky:\n  kind: grid\n  stars: {octaves: 3}\n" ["s.yaml:3: sky.stars.octaves: 3 has no effect with sky.kind grid; it applies only with sky.kind noise"]
+    complains "settings of another sky" "sky:\n  kind: grid\n  stars: {octaves: 3}\n" ["s.yaml:3: sky.stars.octaves: 3 has no effect; it applies only with sky.kind noise"]
     it "but a setting may repeat the preset's value, and a complete scene may have settings without effect" $ do
       parse "physics: {step: 0.1}\n" `shouldBe` Right defaultScene
       let complete = defaultScene {sceneStep = 0.05, sceneSamples = 1}
