@@ -414,10 +414,11 @@ addRingSamples :: Tracer -> PhotonRing -> Int -> Int -> Estimate -> Int -> Int -
 addRingSamples prepared ring from to estimate column row = go from estimate
   where
     traced = lazy prepared
+    shared = pixelSky traced column row
     go !index !sums
       | index < to =
         let Sample place weight = ringPoint traced ring column row index
-            light = if weight == 0 then black else sightRadiance traced place
+            light = if weight == 0 then black else sharingRadiance traced shared place
          in go (index + 1) (addSample (tracerGain traced) weight light sums)
       | otherwise = sums
 

@@ -65,11 +65,11 @@ spec = do
   it "keeps a star's light at the pole as elsewhere" $ do
     -- All the stars' light over the sphere, seen from where the poles lie otherwise.
     let stars inclination = sphere {sceneSky = SkyRandomStars defaultPointStars {pointStarsCount = 60, pointStarsMilkyWay = 0}, sceneSamples = 16, sceneCamera = Camera (Around 1e4 (Degrees inclination) (Degrees 90)) (Degrees 0) (Degrees 360)}
-        total scene = do
+        solidAngles scene = do
           light <- lightOf scene
           pure (sum [light c r * (cos (pi * fromIntegral r / 64) - cos (pi * fromIntegral (r + 1) / 64)) | r <- [0 .. 63], c <- [0 .. 127]])
-    upright <- total (stars 90)
-    leaning <- mapM (total . stars) [20, 60]
+    upright <- solidAngles (stars 90)
+    leaning <- mapM (solidAngles . stars) [20, 60]
     sequence_ [t `shouldBeWithin` (0.06 * upright, upright) | t <- leaning]
   it "is black outside the fisheye's circle" $ do
     light <- lightOf fisheye
@@ -105,6 +105,7 @@ spec = do
     validateScene fisheye `shouldBe` []
   where
     problemName (Problem name _ _) = name
+    problemName (Mistake name _) = name
     outside c r = let d v = abs (fromIntegral v + 0.5 - 32) - 2 :: Double in d c * d c + d r * d r > 32 * 32
     filmRadianceAt film (c, r) = filmRadiance film c r
     lightOf scene = do
