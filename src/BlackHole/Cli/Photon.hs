@@ -22,6 +22,11 @@ import BlackHole.Cli.Json
 import BlackHole.Cli.Read
 import BlackHole.Physics.Angle
 import BlackHole.Physics.Course
+import BlackHole.Physics.Kerr.Landmarks (Spin, ergosphereRadius, spin)
+import BlackHole.Physics.Kerr.Path (KerrFate (Escapes))
+import qualified BlackHole.Physics.Kerr.Path as Kerr
+import BlackHole.Physics.Kerr.PathReport
+import BlackHole.Physics.Kerr.Sight
 import BlackHole.Physics.Leapfrog (StepRule (..), reportStepRule)
 import BlackHole.Physics.PathReport
 import BlackHole.Scene.Scene (Integrator (..), integratorName)
@@ -40,6 +45,7 @@ data PhotonOptions = PhotonOptions
   { photonImpact :: !(Maybe Double),
     photonDistance :: !(Maybe Double),
     photonInclination :: !(Maybe Double),
+    photonSpin :: !(Maybe Double),
     photonPsi :: !(Maybe Double),
     photonEta :: !(Maybe Double),
     photonIntegrator :: !Integrator,
@@ -58,6 +64,7 @@ photonOptions =
     <$> setting (option number (long "impact" <> metavar "B" <> help "Follow light from infinity with this impact parameter, in r_s"))
     <*> setting (option number (long "distance" <> metavar "R" <> help ("Distance of the camera from the hole in r_s, with --psi (default: " ++ showDouble standardDistance ++ ")")))
     <*> setting (option number (long "inclination" <> metavar "DEGREES" <> help ("Angle between the disk's axis and the camera, or the direction that the light goes to (default: " ++ showDouble standardInclination ++ ")")))
+    <*> setting (option number (long "spin" <> metavar "A" <> help "Spin of the hole, from -1 to 1, positive if it turns with the disk (default: 0)"))
     <*> setting (option number (long "psi" <> metavar "DEGREES" <> help "Follow the line of sight at this angle from the direction of the hole's centre"))
     <*> setting (option number (long "eta" <> metavar "DEGREES" <> help ("Position angle of the path about the hole's centre, from right towards up (default: " ++ showDouble standardEta ++ ")")))
     <*> settingOr Exact (option (named "an integrator" [(integratorName i, i) | i <- [minBound ..]]) (long "integrator" <> metavar "NAME" <> completeWith (map integratorName [minBound ..]) <> help "How to follow the light: exact (closed form), table (as render does by default) or leapfrog; the latter two with their errors (default: exact)"))
@@ -73,7 +80,10 @@ standardInclination = 82
 standardEta = 0
 
 -- | A light path, and how to follow it.
-data PhotonTask = PhotonTask !Course !Method
+data PhotonTask
+  = PhotonTask !Course !Method
+  | -- | Around a rotating hole.
+    RotatingTask !Spin !LightRay
 
 -- | The ways to follow it.
 data Method
@@ -84,11 +94,49 @@ data Method
 
 -- | The path that the options describe, or all their mistakes (at least one).
 resolvePhoton :: PhotonOptions -> Either [Problem] PhotonTask
-resolvePhoton options = case (problems, course, method) of
+resolvePhoton options = case photonSpin options of
+  Just s | s /= 0 -> resolveRotating options s
+  _ -> resolvePlanar options
+
+-- | The path of a line of sight around a hole of a spin other than 0, for which there is
+-- the closed form only.
+resolveRotating :: PhotonOptions -> Double -> Either [Problem] PhotonTask
+resolveRotating options s = case (problems, ray) of
+  ([], Right found) -> Right found
+  ([], Left problem) -> Left [problem]
+  _ -> Left problems
+  where
+    problems =
+      checkNumber "--spin" (\v -> abs v < 1) "a spin above -1 and below 1" s
+        ++ [Mistake "--impact" "applies only without --spin; a path around a rotating hole has no impact parameter" | Just _ <- [photonImpact options]]
+        ++ [Mistake "--psi" "missing; give --psi DEGREES for a line of sight" | Nothing <- [photonPsi options], Nothing <- [photonImpact options]]
+        ++ [Mistake "--integrator" (integratorName (photonIntegrator options) ++ " applies only without --spin") | photonIntegrator options /= Exact]
+        ++ [Mistake "--step" (showDouble l ++ " has no effect; it applies only with --integrator leapfrog") | Just l <- [photonStep options]]
+        ++ checkNumber "--distance" (\r -> r > 0.5 && r <= 1e6) "a distance outside the ergosphere and up to 1e6 (Schwarzschild radii)" distance
+        ++ foldMap (checkNumber "--psi" (\a -> a >= 0 && a <= 180) "an angle from 0 to 180 (degrees from the direction of the hole's centre)") (photonPsi options)
+        ++ checkNumber "--inclination" (\i -> i >= 0 && i <= 180) "an angle from 0 to 180 (degrees from the disk's axis)" inclination
+        ++ checkNumber "--eta" (\a -> abs a <= 360) "an angle from -360 to 360 (degrees from right towards up)" (fromMaybe standardEta (photonEta options))
+        ++ pathNameProblems options
+    distance = fromMaybe standardDistance (photonDistance options)
+    inclination = fromMaybe standardInclination (photonInclination options)
+    radians = (\(Radians v) -> v) . toRadians . Degrees
+    psi = radians (fromMaybe 0 (photonPsi options))
+    eta = radians (fromMaybe standardEta (photonEta options))
+    direction = Direction (negate (cos psi)) (negate (sin psi * sin eta)) (sin psi * cos eta)
+    ray = case spin s of
+      Just hole -> maybe (Left (tooClose hole)) (Right . RotatingTask hole) (lightRay hole (Place distance (radians inclination)) AtRest direction)
+      Nothing -> Left (Problem "--spin" (showDouble s) "a spin above -1 and below 1")
+    tooClose hole =
+      Problem "--distance" (showDouble distance) $
+        "a distance above " ++ showDouble (ergosphereRadius hole (cos (radians inclination))) ++ ", outside the ergosphere (Schwarzschild radii)"
+
+-- | The path around a hole that does not rotate.
+resolvePlanar :: PhotonOptions -> Either [Problem] PhotonTask
+resolvePlanar options = case (problems, course, method) of
   ([], Just path, Just way) -> Right (PhotonTask path way)
   _ -> Left problems
   where
-    problems = startProblems ++ sightProblems ++ methodProblems ++ pathProblems
+    problems = startProblems ++ sightProblems ++ methodProblems ++ pathNameProblems options
     (startProblems, course) = case (photonImpact options, photonPsi options) of
       (Just b, Nothing)
         | Nothing <- photonDistance options ->
@@ -119,7 +167,9 @@ resolvePhoton options = case (problems, course, method) of
     reportWidth = case reportStepRule of
       ReportSteps _ w -> w
       EqualSteps _ -> 0.01
-    pathProblems = [Problem "--path" "an empty name" "the name of a file" | photonPath options == Just ""]
+
+pathNameProblems :: PhotonOptions -> [Problem]
+pathNameProblems options = [Problem "--path" "an empty name" "the name of a file" | photonPath options == Just ""]
 
 -- | The reports on a path.
 data PhotonOutcome
@@ -127,11 +177,14 @@ data PhotonOutcome
     ExactOutcome !PathReport
   | -- | That of another method, whose name comes first, and that of the closed form.
     ComparedOutcome !String !PathReport !PathReport
+  | -- | That of the closed form around a rotating hole.
+    RotatingOutcome !KerrReport
   deriving (Eq, Show)
 
 -- | Follow the light. The path's points extend to 100 Schwarzschild radii, to the
 -- camera, or to four times the impact parameter, whichever is farthest.
 photonOutcome :: PhotonTask -> PhotonOutcome
+photonOutcome (RotatingTask hole ray) = RotatingOutcome (kerrReport hole 100 ray)
 photonOutcome (PhotonTask course method) = case method of
   ClosedForm -> ExactOutcome exact
   Leapfrog rule -> ComparedOutcome "leapfrog" (leapfrogReport rule drawn course) exact
@@ -150,11 +203,13 @@ outcomeText json outcome
         ++ [ ("exact", Object (reportMembers exact)),
              ("error", Object (differenceMembers (reportDifference report exact)))
            ]
+    RotatingOutcome report -> rotatingMembers report
   | otherwise = case outcome of
     ExactOutcome report -> table [[name, content, unitOf name] | (name, content) <- rows report] ++ legend report
     ComparedOutcome name report exact ->
       table (["", name, "exact", "error", ""] : besides (rows report) (rows exact) (flatten (differenceMembers (reportDifference report exact))))
         ++ legend report
+    RotatingOutcome report -> table [[name, content, unitOf name] | (name, content) <- flatten (rotatingMembers report)] ++ legendOf (not (null (kerrReportCrossings report)))
   where
     rows = flatten . reportMembers
     besides own exact errors =
@@ -163,16 +218,19 @@ outcomeText json outcome
       ]
     cell name = fromMaybe "-" . lookup name
     legend report =
-      unlines $
-        ["", "r_s is the Schwarzschild radius 2GM/c^2. A drift is relative to the value at the start."]
-          ++ ( if null (reportCrossings report)
+      unlines ["", "r_s is the Schwarzschild radius 2GM/c^2. A drift is relative to the value at the start."]
+        ++ legendOf (not (null (reportCrossings report)))
+    legendOf crosses =
+      unlines
+          ( if not crosses
                  then []
                  else
                    [ "A crossing is a point where the path crosses the disk's plane; its azimuth is",
                      "atan2(z, x). g is the frequency that the observer measures over the frequency",
-                     "that gas emits there, on its circular orbit or, within 3 r_s, falling inwards."
+                     "that gas emits there, on its circular orbit or, inside the innermost stable one,",
+                     "falling inwards."
                    ]
-             )
+          )
 
 reportMembers :: PathReport -> [(String, Json)]
 reportMembers report =
@@ -186,6 +244,27 @@ reportMembers report =
     ("angularMomentumDrift", maybeNumber (reportAngularMomentumDrift report)),
     ("energyDrift", maybeNumber (reportEnergyDrift report))
   ]
+
+rotatingMembers :: KerrReport -> [(String, Json)]
+rotatingMembers report =
+  [ ("fate", Text fate),
+    ("lambda", Number (kerrReportLambda report)),
+    ("carterQ", Number (kerrReportCarter report)),
+    ("minoTime", Number (kerrReportMinoTime report)),
+    ("frequency", Number (kerrReportObserved report)),
+    ("escapeDirection", direction),
+    ( "crossings",
+      List
+        [ Object [("r", Number r), ("azimuth", Number azimuth), ("g", Number g)]
+          | KerrCrossing r azimuth g <- kerrReportCrossings report
+        ]
+    )
+  ]
+  where
+    (fate, direction) = case kerrReportFate report of
+      Escapes (XYZ x y z) -> ("escaped", List [Number x, Number y, Number z])
+      Kerr.Captured -> ("captured", Null)
+      Kerr.Circles -> ("circles", Null)
 
 differenceMembers :: PathDifference -> [(String, Json)]
 differenceMembers difference =
@@ -227,7 +306,9 @@ flatten = concatMap (uncurry rows)
 -- | The unit of the value of this name in the table.
 unitOf :: String -> String
 unitOf name
-  | any (`isSuffixOf` name) ["impact parameter", "closest approach", ", r"] = "r_s"
+  | any (`isSuffixOf` name) ["impact parameter", "closest approach", "lambda", ", r"] = "r_s"
+  | "carter q" `isSuffixOf` name = "r_s^2"
+  | "mino time" `isSuffixOf` name = "1/r_s"
   | any (`isSuffixOf` name) ["angle", "deflection", "azimuth"] = "rad"
   | otherwise = ""
 
@@ -242,15 +323,19 @@ table rows = unlines (map line rows)
 
 -- | The points of the path.
 outcomePoints :: PhotonOutcome -> [PathPoint]
-outcomePoints outcome = reportPath $ case outcome of
-  ExactOutcome report -> report
-  ComparedOutcome _ report _ -> report
+outcomePoints outcome = case outcome of
+  ExactOutcome report -> reportPath report
+  ComparedOutcome _ report _ -> reportPath report
+  RotatingOutcome report -> [PathPoint time place | KerrPathPoint time place <- kerrReportPath report]
 
--- | The points of the path as CSV: swept angle in radians, and radius and position in
--- Schwarzschild radii.
+-- | The points of the path as CSV: swept angle in radians (around a rotating hole, Mino
+-- time), and radius and position in Schwarzschild radii.
 outcomeCsv :: PhotonOutcome -> Lazy.ByteString
 outcomeCsv outcome = Builder.toLazyByteString (foldMap line (heading : map row (outcomePoints outcome)))
   where
-    heading = ["swept_angle_rad", "r", "x", "y", "z"]
+    heading = [parameter, "r", "x", "y", "z"]
+    parameter = case outcome of
+      RotatingOutcome _ -> "mino_time"
+      _ -> "swept_angle_rad"
     row (PathPoint angle place@(XYZ x y z)) = map showDouble [angle, XYZ.norm place, x, y, z]
     line cells = Builder.string7 (intercalate "," cells) <> Builder.char7 '\n'

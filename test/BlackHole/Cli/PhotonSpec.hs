@@ -35,6 +35,17 @@ spec = do
             (\(crossing, key, reference) -> maybe (expectationFailure key) (`shouldBeWithin` (1e-8, reference)) (numberAt [key] crossing))
             [(first, "r", 10.27369270291), (first, "g", 0.94812614213424), (second, "azimuth", -1.57079632679)]
         other -> expectationFailure (show other)
+    it "follows light around a rotating hole: 34-digit values" $ do
+      report <- json turning
+      keys report `shouldBe` ["fate", "lambda", "carterQ", "minoTime", "frequency", "escapeDirection", "crossings"]
+      mapM_
+        (\(key, reference) -> maybe (expectationFailure key) (`shouldBeWithin` (1e-12, reference)) (numberAt [key] report))
+        [("lambda", -0.015216616970296247), ("carterQ", 8.5489811865240428), ("minoTime", 1.6070728287034354), ("frequency", 1.0170951790080858)]
+      case member "crossings" report of
+        Just (List [first, _]) -> maybe (expectationFailure "g") (`shouldBeWithin` (1e-12, 0.95444088919855479)) (numberAt ["g"] first)
+        other -> expectationFailure (show other)
+    it "has the same keys without spin as with a spin of 0" $
+      fmap keys (json (camera ++ ["--spin", "0"])) `shouldReturn` reportKeys
     it "sets the leapfrog's values beside the exact ones and the errors" $ do
       report <- json (camera ++ ["--integrator", "leapfrog", "--step", "0.05"])
       keys report `shouldBe` reportKeys ++ ["exact", "error"]
@@ -124,10 +135,15 @@ spec = do
     refuses ["--impact", "3", "--step", "0.1"] [("--step", "0.1 has no effect; it applies only with --integrator leapfrog")]
     refuses ["--impact", "3", "--integrator", "leapfrog", "--step", "0"] [("--step", "0")]
     refuses ["--impact", "3", "--path", ""] [("--path", "an empty name")]
+    refuses ["--spin", "1", "--psi", "5"] [("--spin", "1")]
+    refuses ["--spin", "0.9", "--impact", "3"] [("--impact", "applies only without --spin; a path around a rotating hole has no impact parameter")]
+    refuses ["--spin", "0.9"] [("--psi", "missing; give --psi DEGREES for a line of sight")]
+    refuses ["--spin", "0.9", "--psi", "5", "--distance", "0.9", "--inclination", "90"] [("--distance", "0.9")]
     it "in one line" $ case resolvePhoton <$> parsed ["--impact=-1"] of
       Just (Left [problem]) -> renderProblem problem `shouldSatisfy` (\s -> "--impact: -1 is not " `isPrefixOf` s && "1e6" `isInfixOf` s && '\n' `notElem` s)
       _ -> expectationFailure "not one problem"
   where
+    turning = ["--spin", "0.9", "--distance", "30", "--inclination", "82", "--psi", "5.5", "--eta", "-90"]
     camera = ["--distance", "20", "--inclination", "80", "--psi", "10", "--eta", "-90"]
     reportKeys = ["fate", "impactParameter", "sweptAngle", "deflection", "closestApproach", "crossings", "steps", "angularMomentumDrift", "energyDrift"]
     parsed arguments = getParseResult (execParserPure defaultPrefs (info photonOptions mempty) arguments)

@@ -32,6 +32,7 @@ data KerrReport = KerrReport
     -- | From the observer to the horizon, or to the radius out to which it is drawn.
     kerrReportPath :: [KerrPathPoint]
   }
+  deriving (Eq, Show)
 
 -- | A crossing of the plane @y = 0@ outside the horizon.
 data KerrCrossing = KerrCrossing
