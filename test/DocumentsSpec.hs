@@ -304,7 +304,7 @@ scaled arguments = case arguments of
     | otherwise -> arguments ++ ["--samples", "1", "--duration", "0.1"] ++ size
   _ -> arguments
   where
-    size = ["--width", "16", "--height", "9"]
+    size = ["--width", "16", "--height", "8"]
     -- With one sample, the options of adaptive sampling would have no effect.
     adaptive = any (`elem` arguments) ["--noise", "--most-samples"]
 

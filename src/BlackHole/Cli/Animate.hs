@@ -210,7 +210,8 @@ plan options environment coder film = do
   refuse WrongArguments (map renderProblem (usageProblems options film))
   shard <- either (Left . (,) WrongArguments . pure . ("--shard: " ++)) Right (shardOf (animateShard options))
   name <- either (Left . (,) WrongArguments . pure . (("--output: '" ++ output ++ "' is not ") ++)) Right (parseFrameName output)
-  refuse WrongFilm (map renderProblem (paceProblems options film ++ filmProblems film))
+  refuse WrongFilm (map renderProblem (paceProblems options film))
+  refuse WrongFilm (map renderProblem (filmProblems film))
   let frames = takeShard shard selected
   refuse WrongFilm (take maximumFaults (frameFaults film frames))
   video <- traverse coded [(coding, file) | Just file <- [animateVideo options], Just coding <- [videoCodingOf options]]

@@ -66,7 +66,7 @@ explanationLines scene explanation =
 sightLines :: Scene -> Sighting -> [String]
 sightLines scene sighting =
   [ field "point in the picture" (number px ++ number py),
-    field "direction" (vector (sightingDirection sighting))
+    field "direction" (maybe "  none: outside the fisheye's circle" vector (sightingDirection sighting))
   ]
     ++ maybe ["  no light arrives from this direction"] arriving (sightingArrival sighting)
   where

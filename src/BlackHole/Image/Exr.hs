@@ -15,6 +15,7 @@ where
 import BlackHole.Image.Bytes
 import BlackHole.Image.Deflate
 import BlackHole.Image.Label
+import BlackHole.Image.Sphere
 import BlackHole.Render.Film (Film, filmRows)
 import BlackHole.Render.Layer
 import BlackHole.Render.PixelArray (pixelArrayShape, toPixelVector)
@@ -173,6 +174,8 @@ headerOf label width height channels =
     <> attribute "compression" "compression" (Builder.word8 3)
     <> attribute "dataWindow" "box2i" window
     <> attribute "displayWindow" "box2i" window
+    -- A map of all directions by latitude and longitude.
+    <> (if isWholeSphere label (width, height) then attribute "envmap" "envmap" (Builder.word8 0) else mempty)
     <> attribute "lineOrder" "lineOrder" (Builder.word8 0)
     <> attribute "pixelAspectRatio" "float" (Builder.floatLE 1)
     <> attribute "screenWindowCenter" "v2f" (Builder.floatLE 0 <> Builder.floatLE 0)

@@ -7,6 +7,7 @@ where
 
 import BlackHole.Image.Bytes
 import BlackHole.Image.Label
+import BlackHole.Image.Sphere
 import BlackHole.Render.PixelArray (PixelArray, pixelArrayShape, toPixelVector)
 import BlackHole.Render.PixelShape
 import Codec.Picture (Image (..), PixelRGB8)
@@ -24,7 +25,7 @@ import Data.Word (Word8)
 -- format allows sides of up to 65535 pixels. Takes about 0.1 µs per pixel, on one
 -- worker.
 encodeJpeg :: Int -> Label -> PixelArray Word8 -> Lazy.ByteString
-encodeJpeg quality label codes = Lazy.concat [before, Lazy.fromStrict comment, after]
+encodeJpeg quality label codes = Lazy.concat [before, Lazy.fromStrict (sphere <> comment), after]
   where
     shape = pixelArrayShape codes
     coded =
@@ -36,11 +37,11 @@ encodeJpeg quality label codes = Lazy.concat [before, Lazy.fromStrict comment, a
     headSize = case (slice 2 2 start, bigEndian 2 4 start) of
       (Just marker, Just size) | marker == Bytes.pack [0xff, 0xe0] -> 4 + size
       _ -> 2
-    text = Bytes.take 65533 (labelText label)
-    comment =
+    comment = segment 0xfffe (Bytes.take 65533 (labelText label))
+    sphere = foldMap (segment 0xffe1 . (Characters.pack "http://ns.adobe.com/xap/1.0/\0" <>)) (spherePacket label (shapeWidth shape, shapeHeight shape))
+    segment marker content =
       strict $
-        Builder.word16BE commentMarker <> Builder.word16BE (fromIntegral (Bytes.length text + 2)) <> Builder.byteString text
-    commentMarker = 0xfffe
+        Builder.word16BE marker <> Builder.word16BE (fromIntegral (Bytes.length content + 2)) <> Builder.byteString content
 
 -- | The label of a JPEG file written by this program.
 jpegLabel :: ByteString -> Maybe Label

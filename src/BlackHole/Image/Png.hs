@@ -18,6 +18,7 @@ import BlackHole.Image.Bytes
 import BlackHole.Image.Checksum
 import BlackHole.Image.Deflate
 import BlackHole.Image.Label
+import BlackHole.Image.Sphere
 import BlackHole.Render.PixelArray (PixelArray, pixelArrayShape, toPixelVector)
 import BlackHole.Render.PixelShape
 import BlackHole.Render.Shared (mapShared)
@@ -99,6 +100,7 @@ pngStart label shape bytes =
       <> chunk "tEXt" (Bytes.concat [Characters.pack "Software\0", Characters.pack (labelSoftware label)])
       -- Uncompressed, without a language.
       <> chunk "iTXt" (Bytes.concat [sceneKeyword, Characters.pack "\0\0\0\0\0", labelText label])
+      <> foldMap (chunk "iTXt" . (Characters.pack "XML:com.adobe.xmp\0\0\0\0\0" <>)) (spherePacket label (shapeWidth shape, shapeHeight shape))
       <> chunk "IDAT" zlibHeader
   where
     header =

@@ -16,6 +16,7 @@ where
 
 import BlackHole.Image.Bytes
 import BlackHole.Image.Label
+import BlackHole.Image.Sphere
 import BlackHole.Render.Film (Film)
 import BlackHole.Render.PixelArray (PixelArray, pixelArrayShape, toPixelVector)
 import BlackHole.Render.PixelShape
@@ -74,8 +75,7 @@ tiffHeader label bits (width, height)
     dataSize = width * height * 3 * (bits `quot` 8)
     -- In the order of their tags.
     entries =
-      sortOn
-        (\(tag, _, _, _) -> tag)
+      sortOn (\(tag, _, _, _) -> tag) $
         [ long 256 width,
           long 257 height,
           shorts 258 (replicate 3 bits),
@@ -93,6 +93,8 @@ tiffHeader label bits (width, height)
           ascii 305 (Characters.pack (labelSoftware label)),
           shorts 339 (replicate 3 sampleFormat)
         ]
+          ++ [(700, 1, fromIntegral (Bytes.length packet), padded packet) | Just packet <- [sphere]]
+    sphere = spherePacket label (width, height)
     shorts :: Word16 -> [Int] -> Entry
     long tag v = (tag, 4, 1, strict (Builder.word32LE (fromIntegral v)))
     shorts tag values = (tag, 3, fromIntegral (length values), strict (foldMap (Builder.word16LE . fromIntegral) values))
@@ -103,7 +105,10 @@ tiffHeader label bits (width, height)
     dataStart = heapStart + longTexts
     -- The values that do not fit into their entries. Their sizes do not depend on their
     -- positions.
-    longTexts = 6 + 8 + 8 + 6 + sum [n | n <- map (Bytes.length . padded . (`Bytes.snoc` 0)) [labelText label, Characters.pack (labelSoftware label)], n > 4]
+    longTexts =
+      6 + 8 + 8 + 6
+        + sum [n | n <- map (Bytes.length . padded . (`Bytes.snoc` 0)) [labelText label, Characters.pack (labelSoftware label)], n > 4]
+        + maybe 0 (Bytes.length . padded) sphere
     placed = place heapStart entries
     place _ [] = []
     place at ((tag, kind, count, content) : rest)

@@ -136,9 +136,9 @@ weave (Sheets reals gradients) (Weave filaments bend growth) !count !v (Strand w
             !tiltV = indexPrimArray reals (3 * i + 2)
             !weight = if left >= 1 then amplitude else left * amplitude
             !bent = v + bend * total
-            strand part turns height
-              | part < 1e-6 = 0
-              | otherwise = part * layer gradients first columns rows (scale * (8 * turns + tiltU * height)) (scale * (bent + tiltV * height))
+            strand share turns height
+              | share < 1e-6 = 0
+              | otherwise = share * layer gradients first columns rows (scale * (8 * turns + tiltU * height)) (scale * (bent + tiltV * height))
             {-# INLINE strand #-}
             !noise1 = strand weight1 turns1 height1
             !noise2 = strand weight2 turns2 height2

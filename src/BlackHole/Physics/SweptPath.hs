@@ -133,7 +133,8 @@ followSwept space table region phase photon gather = start
               then cells n lead upper to next state
               else
                 let -- Where the path enters and leaves the gas's outer radius, if
-                    -- within the cell.
+                    -- within the cell. Newton's steps may end anywhere if the path only just fails to
+                    -- reach it.
                     !begin = if u0 < uOuter && slope0 > 0 then within t0 t1 (reaching path t0) else t0
                     !leaving = if u1 < uOuter && slope1 < 0 then within begin t1 (reaching path t1) else t1
                     !final = ofOneScale path begin leaving

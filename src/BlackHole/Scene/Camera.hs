@@ -7,9 +7,15 @@ module BlackHole.Scene.Camera
     Frame (..),
     cameraFrame,
     Picture (..),
+    Projection (..),
+    projectionName,
+    projectionFieldOfView,
+    projectionHeight,
     PicturePlane,
     picturePlane,
     sightDirection,
+    sightBeside,
+    closesAround,
     pixelAngle,
   )
 where
@@ -19,13 +25,13 @@ import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^), (^-^))
 import qualified BlackHole.Vector.XYZ as XYZ
 
--- | A pinhole camera with a flat picture plane.
+-- | A camera: where it stands, which way is up, and how wide it sees.
 data Camera = Camera
   { cameraPose :: !Pose,
     -- | Turns the camera clockwise about its line of sight.
     cameraRoll :: !Degrees,
-    -- | Angle between the left and the right edge of the picture, in the open interval
-    -- (0, 180).
+    -- | Angle of view across the picture's width: (0, 180) in perspective, (0, 360]
+    -- for the other projections.
     cameraFieldOfView :: !Degrees
   }
   deriving (Eq, Show)
@@ -94,37 +100,139 @@ data Picture = Picture
   }
   deriving (Eq, Show)
 
--- | The picture plane in front of the camera, which converts points of the picture to
--- directions.
+-- | How directions of sight are laid out in the picture. Pixels are square in each.
+data Projection
+  = -- | On a flat plane before a pinhole: straight lines stay straight.
+    Perspective
+  | -- | The equidistant fisheye, which planetariums project onto their domes: the
+    -- distance from the middle is proportional to the angle from the line of sight.
+    -- The angle of view is the diameter of a circle as wide as the picture, outside
+    -- of which the picture is black.
+    Fisheye
+  | -- | Longitude to the right and latitude upwards, both from the line of sight, in
+    -- proportion: the format of VR pictures and of maps of the sky.
+    Equirectangular
+  deriving (Eq, Show, Read, Enum, Bounded)
+
+-- | The name on the command line.
+projectionName :: Projection -> String
+projectionName projection = case projection of
+  Perspective -> "perspective"
+  Fisheye -> "fisheye"
+  Equirectangular -> "equirectangular"
+
+-- | The angle of view that a projection is usually made for: that of a lens, of a
+-- dome, of the whole sphere.
+projectionFieldOfView :: Projection -> Degrees
+projectionFieldOfView projection = case projection of
+  Perspective -> Degrees 50
+  Fisheye -> Degrees 180
+  Equirectangular -> Degrees 360
+
+-- | The height that goes with a width: 9\/16 of it in perspective, the same for a
+-- fisheye, half of it for a sphere. At least 1.
+projectionHeight :: Projection -> Int -> Int
+projectionHeight projection width = max 1 . round $ case projection of
+  Perspective -> fromIntegral width * 9 / 16 :: Double
+  Fisheye -> fromIntegral width
+  Equirectangular -> fromIntegral width / 2
+
+-- | The picture in front of the eye: how to get from its points to directions.
 data PicturePlane = PicturePlane
-  { _planeFrame :: !Frame,
-    -- | Half the width and height in pixels.
+  { _planeProjection :: !Projection,
+    _planeFrame :: !Frame,
+    -- | Half the width and height, in pixels.
     _planeHalfWidth :: {-# UNPACK #-} !Double,
     _planeHalfHeight :: {-# UNPACK #-} !Double,
-    -- | The size of a pixel at distance one.
+    -- | Size of a pixel in the middle: at distance one, or in radians.
     _planeScale :: {-# UNPACK #-} !Double
   }
 
--- | The picture plane of a camera.
-picturePlane :: Camera -> Picture -> Frame -> PicturePlane
-picturePlane camera (Picture width height) frame =
-  PicturePlane frame halfWidth (0.5 * fromIntegral height) (tan (0.5 * fov) / halfWidth)
+-- | The plane of a camera's picture.
+picturePlane :: Projection -> Camera -> Picture -> Frame -> PicturePlane
+picturePlane projection camera picture@(Picture width height) frame =
+  PicturePlane projection frame (0.5 * fromIntegral width) (0.5 * fromIntegral height) (pixelScale projection camera picture)
+
+-- | The size of a pixel in the middle of the picture: at distance one in perspective,
+-- else in radians.
+pixelScale :: Projection -> Camera -> Picture -> Double
+pixelScale projection camera (Picture width _) = case projection of
+  Perspective -> tan (0.5 * fov) / halfWidth
+  _ -> 0.5 * fov / halfWidth
   where
     halfWidth = 0.5 * fromIntegral width
     Radians fov = toRadians (cameraFieldOfView camera)
 
--- | The viewing direction, of unit length, through a point of the picture, given in
--- pixels from the top left corner: @XY 0.5 0.5@ is the middle of the first pixel.
--- Pixels are square.
-sightDirection :: PicturePlane -> XY -> XYZ
-sightDirection (PicturePlane (Frame forward right up) halfWidth halfHeight scale) (XY px py) =
-  (1 / XYZ.norm d) *^ d
-  where
-    d = forward ^+^ ((px - halfWidth) * scale) *^ right ^+^ ((halfHeight - py) * scale) *^ up
+-- | The direction of sight (unit length) through a point of the picture,
+-- given in pixels from its top left corner: @XY 0.5 0.5@ is the middle of the
+-- first pixel. 'Nothing' outside a fisheye's circle. Beyond its left or right edge
+-- an equirectangular picture goes on around the sphere, and beyond its upper and
+-- lower edge over the pole.
+sightDirection :: PicturePlane -> XY -> Maybe XYZ
+sightDirection plane@(PicturePlane projection frame halfWidth halfHeight scale) (XY px py) = case projection of
+  Perspective -> Just $! flatDirection frame ((px - halfWidth) * scale) ((halfHeight - py) * scale)
+  _ -> curvedDirection plane (px - halfWidth) (py - halfHeight)
 {-# INLINE sightDirection #-}
 
--- | The angle in radians that a pixel in the middle of the picture covers.
-pixelAngle :: Camera -> Picture -> Double
-pixelAngle camera picture = 2 * tan (0.5 * fov) / fromIntegral (pictureWidth picture)
+flatDirection :: Frame -> Double -> Double -> XYZ
+flatDirection (Frame forward right up) x y = (1 / XYZ.norm d) *^ d
+  where
+    d = forward ^+^ x *^ right ^+^ y *^ up
+{-# INLINE flatDirection #-}
+
+-- Not for inlining: the flat picture's code would grow by it.
+curvedDirection :: PicturePlane -> Double -> Double -> Maybe XYZ
+curvedDirection plane x y = (\(Tangent direction _ _) -> direction) <$> curvedTangent plane x y
+{-# NOINLINE curvedDirection #-}
+
+-- | @sightBeside plane point offset@: the direction of sight at an offset in pixels
+-- from a point, for what depends on a pixel's size. Where a projection stretches the
+-- picture, as towards the poles of a map, such pixels keep the size and the shape that
+-- they have in its middle: so a star is a round spot of light everywhere once the
+-- picture is back on its sphere or dome. In perspective it is
+-- 'sightDirection' of the sum.
+sightBeside :: PicturePlane -> XY -> XY -> Maybe XYZ
+sightBeside plane@(PicturePlane projection _ halfWidth halfHeight scale) (XY px py) (XY dx dy) = case projection of
+  Perspective -> sightDirection plane (XY (px + dx) (py + dy))
+  _ -> curvedTangent plane (px - halfWidth) (py - halfHeight) >>= \(Tangent d right down) -> XYZ.normalize (d ^+^ (scale * dx) *^ right ^+^ (scale * dy) *^ down)
+{-# INLINE sightBeside #-}
+
+-- | A direction, and the unit vectors across it that stand for the picture's
+-- directions to the right and downwards.
+data Tangent = Tangent !XYZ !XYZ !XYZ
+
+-- | By the offset in pixels from the picture's middle, to the right and downwards.
+curvedTangent :: PicturePlane -> Double -> Double -> Maybe Tangent
+curvedTangent (PicturePlane projection (Frame forward right up) halfWidth _ scale) x y = case projection of
+  Fisheye
+    | radius > halfWidth -> Nothing
+    | otherwise ->
+      let -- In the middle no direction is outwards; any will do.
+          (c, s) = if radius > 0 then (x / radius, y / radius) else (1, 0)
+          theta = radius * scale
+          outwards = c *^ right ^-^ s *^ up
+          around = negate s *^ right ^-^ c *^ up
+          away = cos theta *^ outwards ^-^ sin theta *^ forward
+       in Just (Tangent (cos theta *^ forward ^+^ sin theta *^ outwards) (c *^ away ^-^ s *^ around) (s *^ away ^+^ c *^ around))
+  _ ->
+    let longitude = x * scale
+        latitude = negate y * scale
+        level = cos longitude *^ forward ^+^ sin longitude *^ right
+     in Just $
+          Tangent
+            (cos latitude *^ level ^+^ sin latitude *^ up)
+            (cos longitude *^ right ^-^ sin longitude *^ forward)
+            (sin latitude *^ level ^-^ cos latitude *^ up)
+  where
+    radius = sqrt (x * x + y * y)
+
+-- | Whether the picture's left and right edge are the same line.
+closesAround :: Projection -> Camera -> Bool
+closesAround projection camera = projection == Equirectangular && cameraFieldOfView camera == Degrees 360
+
+-- | The angle that a pixel in the middle of the picture covers, in radians.
+pixelAngle :: Projection -> Camera -> Picture -> Double
+pixelAngle Perspective camera picture = 2 * tan (0.5 * fov) / fromIntegral (pictureWidth picture)
   where
     Radians fov = toRadians (cameraFieldOfView camera)
+pixelAngle projection camera picture = pixelScale projection camera picture

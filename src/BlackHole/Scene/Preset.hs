@@ -133,6 +133,7 @@ defaultScene =
             cameraRoll = Degrees (-8),
             cameraFieldOfView = Degrees 40
           },
+      sceneProjection = Perspective,
       sceneObserver = Static,
       sceneSpacetime = Schwarzschild,
       sceneIntegrator = Tabulated,

@@ -15,7 +15,7 @@ import BlackHole.Physics.Leapfrog
 import BlackHole.Physics.LightPath (Region, emptyRegion)
 import BlackHole.Physics.Observer (Observer)
 import BlackHole.Physics.Spacetime (Spacetime)
-import BlackHole.Scene.Camera (Camera, Picture)
+import BlackHole.Scene.Camera (Camera, Picture, Projection)
 import BlackHole.Scene.Disk
 import BlackHole.Scene.Filter (Filter)
 import BlackHole.Scene.Shifts (Shifts)
@@ -26,6 +26,7 @@ import Data.Word (Word64)
 data Scene = Scene
   { scenePicture :: !Picture,
     sceneCamera :: !Camera,
+    sceneProjection :: !Projection,
     sceneObserver :: !Observer,
     sceneSpacetime :: !Spacetime,
     sceneIntegrator :: !Integrator,

@@ -13,6 +13,7 @@ module BlackHole.Scene.Validate
   )
 where
 
+import BlackHole.Physics.Angle (Degrees (..))
 import BlackHole.Physics.Observer
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Disk
@@ -70,8 +71,25 @@ rangeFaultsOf scene field =
 
 -- | The rules between settings.
 crossFaults :: Scene -> [Fault]
-crossFaults scene = pose ++ foldMap edges (sceneDisk scene)
+crossFaults scene = pose ++ projected ++ foldMap edges (sceneDisk scene)
   where
+    projected = case sceneProjection scene of
+      Perspective ->
+        [ Fault "camera.fov" (NumberValue fov) "an angle above 0 and below 180 (degrees) in perspective; --projection fisheye and equirectangular go up to 360"
+          | fov >= 180
+        ]
+      Fisheye -> []
+      Equirectangular ->
+        [ Fault "image.height" (WholeValue height) ("a whole number from 1 to " ++ show tallest ++ " (pixels): a height of 180 degrees where " ++ show width ++ " pixels are " ++ showNumber fov ++ " degrees")
+          | fov > 0 && height > tallest
+        ]
+          ++ [ Fault "output.bloom" (NumberValue (sceneBloom scene)) "0 in an equirectangular picture: light does not scatter across its edges to where the sphere goes on"
+               | sceneBloom scene > 0
+             ]
+    Degrees fov = cameraFieldOfView (sceneCamera scene)
+    Picture width height = scenePicture scene
+    -- Half the width of the whole sphere, rounded up.
+    tallest = min maximumPictureSide (ceiling (min 1e9 (180 * fromIntegral width / fov) - 1e-6))
     pose = case cameraPose (sceneCamera scene) of
       Around r _ _ ->
         [Fault "camera.distance" (NumberValue r) placeRange | not (standsAt r)]

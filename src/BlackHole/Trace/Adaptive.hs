@@ -13,13 +13,15 @@ module BlackHole.Trace.Adaptive
     refinedEstimate,
     uncertainEstimate,
     pixelEstimate,
+    pixelSamples,
   )
 where
 
-import BlackHole.Scene.Camera (Picture (..))
+import BlackHole.Scene.Camera (Picture (..), closesAround)
 import BlackHole.Scene.Scene
 import BlackHole.Trace.Estimate
 import BlackHole.Trace.Pixel
+import BlackHole.Trace.Sampling (Sample)
 import BlackHole.Vector.XY (XY (..))
 
 -- | The estimate of a pixel (column and row from the top left, counted from 0) after
@@ -33,18 +35,38 @@ firstEstimate traced = addSamples traced 0 (sceneSamples (tracedScene traced)) n
 -- values as stored ('asStored').
 refinedEstimate :: Tracer -> (Int -> Int -> Bool) -> Estimate -> Int -> Int -> Estimate
 refinedEstimate traced uncertain first !column !row
-  | meetsPhotonRing traced (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)) = addSamples traced (sceneSamples scene) (mostSamples scene) first column row
+  | Just ring <- pixelRing traced column row = addRingSamples traced ring 0 (mostSamples scene) noSamples column row
   | anyFrom (max 0 (row - 1)) = moreSamples traced first column row
   | otherwise = first
   where
     scene = tracedScene traced
     Picture width height = scenePicture scene
-    !left = max 0 (column - 1)
-    !right = min (width - 1) (column + 1)
+    -- Where a picture closes around the sphere its last column is the first one's
+    -- neighbour.
+    !closed = closesAround (sceneProjection scene) (sceneCamera scene)
+    !left = if closed then column - 1 else max 0 (column - 1)
+    !right = if closed then column + 1 else min (width - 1) (column + 1)
     !bottom = min (height - 1) (row + 1)
     anyFrom !r = r <= bottom && (anyIn left r || anyFrom (r + 1))
-    anyIn !c !r = c <= right && (uncertain c r || anyIn (c + 1) r)
+    anyIn !c !r = c <= right && (uncertain (inside c) r || anyIn (c + 1) r)
+    inside c
+      | c < 0 = width - 1
+      | c >= width = 0
+      | otherwise = c
 {-# INLINE refinedEstimate #-}
+
+-- | The photon ring at a pixel.
+pixelRing :: Tracer -> Int -> Int -> Maybe PhotonRing
+pixelRing traced column row = photonRing traced (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5))
+
+-- | The samples of a pixel's 'pixelEstimate', of which there are so many.
+pixelSamples :: Tracer -> Int -> Int -> Int -> [Sample]
+pixelSamples traced count column row = map point [0 .. count - 1]
+  where
+    scene = tracedScene traced
+    point = case pixelRing traced column row of
+      Just ring | mostSamples scene > sceneSamples scene -> ringPoint traced ring column row
+      _ -> samplePoint scene column row
 
 -- | Whether an estimate needs refinement, from the scene's number of samples, its
 -- 'estimateSeen' and its 'estimateSeenSquare'.

@@ -50,8 +50,11 @@ data Explanation = Explanation
 data Sighting = Sighting
   { -- | The point of the picture that it passes through, in pixels.
     sightingPoint :: !XY,
-    -- | Its direction in the observer's frame, of unit length.
-    sightingDirection :: !XYZ,
+    -- | Its weight among a pixel's samples; 1 for the middle.
+    sightingWeight :: !Double,
+    -- | Its direction in the observer's frame, of unit length; 'Nothing' outside a
+    -- fisheye's circle.
+    sightingDirection :: !(Maybe XYZ),
     -- | 'Nothing' if no light arrives from outside ('BlackHole.Physics.Observer.sightLine').
     sightingArrival :: !(Maybe Arrival),
     -- | The radiance seen along it, 'sightRadiance'.
@@ -108,8 +111,8 @@ explainPixel traced column row
         { explainedPixel = (column, row),
           explainedMiddle = sighting scene traced Nothing (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)),
           explainedSamples =
-            [ sighting scene traced (pixelSky traced column row) (samplePlace (samplePoint scene column row index))
-              | index <- [0 .. estimateCount estimate - 1]
+            [ (sighting scene traced (pixelSky traced column row) place) {sightingWeight = weight}
+              | Sample place weight <- pixelSamples traced (estimateCount estimate) column row
             ],
           explainedRadiance = radiance,
           explainedShown = shownAs scene column row radiance
@@ -124,6 +127,7 @@ sighting :: Scene -> Tracer -> Maybe SkyPatch -> XY -> Sighting
 sighting scene traced shared point =
   Sighting
     { sightingPoint = point,
+      sightingWeight = 1,
       sightingDirection = tracedDirection traced point,
       sightingArrival = arrival scene traced shared point <$> tracedSight traced point,
       sightingRadiance = sharingRadiance traced shared point

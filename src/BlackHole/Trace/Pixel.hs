@@ -14,7 +14,10 @@ module BlackHole.Trace.Pixel
     onlySample,
     sightRadiance,
     samplePoint,
-    meetsPhotonRing,
+    PhotonRing,
+    photonRing,
+    addRingSamples,
+    ringPoint,
 
     -- * Its parts
     tracedScene,
@@ -97,7 +100,7 @@ tracerUnder picture scene = do
   sky <- shader
   pure
     Tracer
-      { tracerPlane = picturePlane (sceneCamera scene) (scenePicture scene) frame,
+      { tracerPlane = picturePlane (sceneProjection scene) (sceneCamera scene) (scenePicture scene) frame,
         tracerScene = scene,
         tracerGain = 2 ** stops,
         tracerEye = eye (sceneSpacetime scene) (sceneObserver scene) place,
@@ -121,7 +124,7 @@ tracerUnder picture scene = do
       Nothing -> Vacuum
       Just disk
         | sceneDebugTextures scene -> Checks disk
-        | otherwise -> Gaseous (gas seed (sceneShifts scene) disk place (pixelAngle (sceneCamera scene) (scenePicture scene)) (sceneSamples scene))
+        | otherwise -> Gaseous (gas seed (sceneShifts scene) disk place (pixelAngle (sceneProjection scene) (sceneCamera scene) (scenePicture scene)) (sceneSamples scene))
 
 -- | The parts of a tracer that take time to compute, for evaluation in advance and in
 -- parallel. Otherwise the first ray that needs a part waits for it.
@@ -296,14 +299,15 @@ patchRadiance (SkyPatch (XY x0 y0) (Beam d a b) slack light) (XY x y) direction
 tracedScene :: Tracer -> Scene
 tracedScene = tracerScene
 
--- | The viewing direction through a point of the picture.
-tracedDirection :: Tracer -> XY -> XYZ
+-- | The viewing direction through a point of the picture; 'Nothing' outside a
+-- fisheye's circle.
+tracedDirection :: Tracer -> XY -> Maybe XYZ
 tracedDirection traced = sightDirection (tracerPlane traced)
 
 -- | The light path that arrives at a point of the picture; 'Nothing' if none does, so
--- that the point is dark ('sightLine').
+-- that the point is dark ('sightLine', 'sightDirection').
 tracedSight :: Tracer -> XY -> Maybe SightLine
-tracedSight traced point = sightFrom (tracerEye traced) (sightDirection (tracerPlane traced) point)
+tracedSight traced point = sightDirection (tracerPlane traced) point >>= sightFrom (tracerEye traced)
 
 -- | The contribution of a segment of the scene's gas, from the observer's frequency.
 tracedGas :: Tracer -> Double -> Gathered -> Stretch -> Onward Gathered
@@ -330,17 +334,18 @@ tracedSky traced point sight fate = case fate of
 -- answer, the paths through points beside it. 'Nothing' if no light arrives from the
 -- sky.
 tracedBeam :: Tracer -> XY -> SightLine -> XYZ -> Maybe Beam
-tracedBeam traced point@(XY x y) sight direction = case sceneSpacetime (tracerScene traced) of
+tracedBeam traced point sight direction = case sceneSpacetime (tracerScene traced) of
   Schwarzschild
-    | Just beside <- tracedSight traced (XY (x + step) y),
-      Just below <- tracedSight traced (XY x (y + step)),
+    | Just beside <- sightAt (XY step 0),
+      Just below <- sightAt (XY 0 step),
       Just (LensChanges alongX alongY) <-
         lensChanges (tracerTable traced) (sightPhoton sight) direction (sightPhoton beside) (sightPhoton below) ->
       Just (Beam direction ((1 / step) *^ alongX) ((1 / step) *^ alongY))
-  _ -> beamByDifferences escape point
+  _ -> beamByDifferences escape (XY 0 0)
   where
     step = 0.01
-    escape beside = tracedSight traced beside >>= escapeDirection traced beside
+    sightAt offset = sightBeside (tracerPlane traced) point offset >>= sightFrom (tracerEye traced)
+    escape offset = sightAt offset >>= escapeDirection traced point
 
 -- | The direction in which a line of sight escapes, disregarding gas, if it does.
 escapeDirection :: Tracer -> XY -> SightLine -> Maybe XYZ
@@ -352,22 +357,59 @@ escapeDirection traced point sight = case fate of
       | sceneIntegrator (tracerScene traced) == Tabulated = sweptFate (sceneSpacetime (tracerScene traced)) (tracerTable traced) (sightPhoton sight)
       | otherwise = followedFate (followSight traced {tracerRegion = emptyRegion} point sight (\() _ -> Onward ()) ())
 
--- | Whether the edge of the shadow passes through or beside the pixel around a point of
+-- | The edge of the shadow where it passes through or beside a pixel: the unit vector
+-- across it and out of the shadow, and by how much 'criticalOffset' shrinks per pixel
+-- along that vector.
+data PhotonRing
+  = PhotonRing
+      {-# UNPACK #-} !XY
+      {-# UNPACK #-} !Double
+
+-- | The edge of the shadow if it passes through or beside the pixel around a point of
 -- the picture. All higher-order images of the gas crowd together at that edge in rings
 -- thinner than a pixel.
-meetsPhotonRing :: Tracer -> XY -> Bool
-meetsPhotonRing traced point@(XY x y) = case (sceneSpacetime scene, tracerMatter traced, tracedOffset point) of
+photonRing :: Tracer -> XY -> Maybe PhotonRing
+photonRing traced point@(XY x y) = case (sceneSpacetime scene, tracerMatter traced, tracedOffset traced point) of
   (Schwarzschild, Gaseous _, Just here)
     -- Most pixels are thousands of pixels away from the ring; dismiss them cheaply.
     -- Fast observers see the ring grow or shrink, but by less than this factor.
-    | abs here < 16 * pixelAngle (sceneCamera scene) (scenePicture scene),
-      Just right <- tracedOffset (XY (x + 1) y),
-      Just below <- tracedOffset (XY x (y + 1)) ->
-      abs here < 1.5 * (abs (right - here) + abs (below - here))
-  _ -> False
+    | abs here < 16 * pixelAngle (sceneProjection scene) (sceneCamera scene) (scenePicture scene),
+      Just right <- tracedOffset traced (XY (x + 1) y),
+      Just below <- tracedOffset traced (XY x (y + 1)),
+      let across = right - here
+          down = below - here
+          growth = sqrt (across * across + down * down),
+      abs here < 1.5 * (abs across + abs down) ->
+      Just (PhotonRing (XY (negate across / growth) (negate down / growth)) growth)
+  _ -> Nothing
   where
     scene = tracerScene traced
-    tracedOffset = fmap (criticalOffset (tracerTable traced) . sightPhoton) . tracedSight traced
+
+-- | 'criticalOffset' of the light path that arrives at a point of the picture.
+tracedOffset :: Tracer -> XY -> Maybe Double
+tracedOffset traced = fmap (criticalOffset (tracerTable traced) . sightPhoton) . tracedSight traced
+
+-- | @addRingSamples traced ring from to estimate column row@ is 'addSamples' with the
+-- points of 'ringPoint'.
+addRingSamples :: Tracer -> PhotonRing -> Int -> Int -> Estimate -> Int -> Int -> Estimate
+addRingSamples prepared ring from to estimate column row = go from estimate
+  where
+    traced = lazy prepared
+    shared = pixelSky traced column row
+    go !index !sums
+      | index < to =
+        let Sample place weight = ringPoint traced ring column row index
+            light = if weight == 0 then black else sharingRadiance traced shared place
+         in go (index + 1) (addSample (tracerGain traced) weight light sums)
+      | otherwise = sums
+
+-- | One of the samples of a pixel on the photon ring, by column, row and sample number:
+-- more of them where the images of the gas are thinner.
+ringPoint :: Tracer -> PhotonRing -> Int -> Int -> Int -> Sample
+ringPoint traced (PhotonRing normal growth) =
+  curveSample (sceneFilter scene) (sceneSeed scene) normal (fmap (negate . (/ growth)) . tracedOffset traced)
+  where
+    scene = tracerScene traced
 
 -- | One of a pixel's samples, by column, row and sample number.
 samplePoint :: Scene -> Int -> Int -> Int -> Sample

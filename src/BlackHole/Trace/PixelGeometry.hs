@@ -59,9 +59,9 @@ pixelGeometry scene = at <$> cameraFrame (sceneCamera scene)
     table = lensTable r
     at frame = look
       where
-        !plane = picturePlane (sceneCamera scene) (scenePicture scene) frame
+        !plane = picturePlane (sceneProjection scene) (sceneCamera scene) (scenePicture scene) frame
         look column row =
-          case sightFrom seer (sightDirection plane (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5))) of
+          case sightDirection plane (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)) >>= sightFrom seer of
             Nothing -> PixelGeometry Nothing Nothing
             Just sight -> along sight
     along (SightLine (Photon _ velocity) observed) =

@@ -8,9 +8,13 @@
 -- be cut into bands anywhere. The points are the first two dimensions of Sobol's
 -- sequence, shifted by random digits hashed from the seed and the pixel. For any k, the
 -- first 4^k of them lie one in each cell of a grid.
+--
+-- Pixels on the photon ring spread the same points in other coordinates and weight
+-- them by the filter ('curveSample').
 module BlackHole.Trace.Sampling
   ( Sample (..),
     sampleOf,
+    curveSample,
   )
 where
 
@@ -22,8 +26,8 @@ import Data.Bits (shiftR, testBit, unsafeShiftR, xor)
 import Data.Primitive.PrimArray
 import Data.Word (Word32, Word64, bitReverse32)
 
--- | A point of the picture in pixels from the top left corner, and its weight: 1, or −1
--- where the filter is negative.
+-- | A point of the picture in pixels from the top left corner, and its weight: for
+-- 'sampleOf' 1, or −1 where the filter is negative.
 data Sample = Sample
   { samplePlace :: {-# UNPACK #-} !XY,
     sampleWeight :: {-# UNPACK #-} !Double
@@ -47,11 +51,79 @@ sampleOf reconstruction !seed !count !column !row !index
        in at (0.5 + x) (0.5 + y) (wx * wy)
   where
     at x y = Sample (XY (fromIntegral column + x) (fromIntegral row + y))
+    XY u v = unitPoint seed column row index
+
+-- | @curveSample filter seed normal distance column row index@ is a sample of a pixel on
+-- a curve beside which the picture changes on every scale, as at the photon ring: there
+-- each further image of the gas is 23 times thinner than the one before and 23 times
+-- nearer to the curve.
+--
+-- The samples are stratified along and across the curve, whatever its direction. Along
+-- it, they are distributed roughly like the filter. Across it, every other one is, and
+-- those between them are spread evenly over the logarithm of the distance from the
+-- curve, down to a thirtieth of a pixel, so that as many meet each image. The weights
+-- make up for that (the balance heuristic of Veach and Guibas 1995).
+--
+-- The function gives the distance of a point from the curve in pixels, positive on the
+-- side of the normal, a unit vector, where the images are. Near the pixel it should grow
+-- by one per pixel along the normal, but the weights are right, 1 on average, for any
+-- function. The weight is 0 where there is no distance.
+curveSample :: Filter -> Word64 -> XY -> (XY -> Maybe Double) -> Int -> Int -> Int -> Sample
+curveSample reconstruction !seed (XY nx ny) distance !column !row !index =
+  case distance (XY baseX baseY) of
+    Nothing -> Sample (XY baseX baseY) 0
+    Just d ->
+      let low = asinh (max 0 (d - reach) / finest)
+          high = asinh (max 0 (d + reach) / finest)
+          across
+            | even index || high <= low = bell u
+            | otherwise = finest * sinh (low + u * (high - low)) - d
+          offsetX = across * nx - along * ny
+          offsetY = across * ny + along * nx
+          logarithmic
+            | high <= low = bellDensity across
+            | d + across <= 0 = 0
+            | otherwise = 1 / ((high - low) * sqrt ((d + across) * (d + across) + finest * finest))
+       in Sample
+            (XY (middleX + offsetX) (middleY + offsetY))
+            (2 * filterDensity reconstruction offsetX offsetY / (bellDensity along * (bellDensity across + logarithmic)))
+  where
+    XY u v = unitPoint seed column row (index `quot` 2)
+    middleX = fromIntegral column + 0.5
+    middleY = fromIntegral row + 0.5
+    along = bell v
+    baseX = middleX - along * ny
+    baseY = middleY + along * nx
+    finest = 1 / 30
+    -- How far the filter reaches, whatever the direction of the curve, and the width of a
+    -- logistic distribution like it; of a wide one only the flat top is used.
+    (reach, width) = case reconstruction of
+      Box -> (sqrt 0.5, 100)
+      Gaussian -> (1.5, 0.55)
+      Mitchell -> (sqrt 8, 0.66)
+    edge = tanh (reach / width)
+    bell p = width * atanh (edge * (2 * p - 1))
+    bellDensity x = let t = tanh (x / width) in (1 - t * t) / (2 * width * edge)
+
+-- | The filter at an offset from the pixel's middle; its integral is 1.
+filterDensity :: Filter -> Double -> Double -> Double
+filterDensity reconstruction x y = case reconstruction of
+  Box -> if max (abs x) (abs y) <= 0.5 then 1 else 0
+  Gaussian -> if d2 <= 2.25 then 2 / pi * exp (-2 * d2) / (1 - exp (-4.5)) else 0
+  Mitchell -> mitchell x * mitchell y
+  where
+    d2 = x * x + y * y
+
+-- | A pixel's points of the unit square.
+unitPoint :: Word64 -> Int -> Int -> Int -> XY
+unitPoint !seed !column !row !index = XY u v
+  where
     shifts = sipHash2 (SipKey seed 0x73616d706c65) (fromIntegral column) (fromIntegral row)
     i = fromIntegral index :: Word32
     u = fraction (bitReverse32 i `xor` fromIntegral (shifts `shiftR` 32))
     v = fraction (sobolSecond i `xor` fromIntegral shifts)
     fraction w = (fromIntegral w + 0.5) / 4294967296
+{-# INLINE unitPoint #-}
 
 -- | The second dimension of Sobol's sequence: the binary digits times Pascal's triangle
 -- modulo 2.

@@ -59,7 +59,7 @@ spec = do
           "    image.width: {0: 100}",
           "    camera.distance: 3",
           "    camera.roll: {interpolation: smoth, 0: 1, 0: 2}",
-          "    camera.fov: {0: 1, 1: 190, x: 3}",
+          "    camera.fov: {0: 1, 1: 390, x: 3}",
           "    disk.opacity: {shortest-turn: true, 0: 1}",
           "    disk.thickness: {}"
         ]

@@ -44,7 +44,7 @@ spec = do
     at 0.5 Falling `shouldBe` []
   it "all problems are reported at once" $
     map problemOption (validateScene (fieldOfView 190) {scenePicture = Picture 0 0, sceneSamples = -1})
-      `shouldBe` ["--width", "--height", "--fov", "--samples"]
+      `shouldBe` ["--fov", "--width", "--height", "--samples"]
   where
     gas disk = defaultScene {sceneDisk = Just disk}
     posed pose = defaultScene {sceneCamera = (sceneCamera defaultScene) {cameraPose = pose}}

@@ -11,6 +11,7 @@ import BlackHole.Trace.Estimate
 import BlackHole.Trace.Pixel
 import BlackHole.Vector.XY (XY (..))
 import Control.Monad (forM_)
+import Data.Maybe (isJust)
 import Test.Hspec
 
 spec :: Spec
@@ -33,7 +34,7 @@ spec = do
   it "a pixel on the edge of the shadow gets the most samples, certain or not" $ do
     Just traced <- pure (tracer ringed)
     let pixels = [(c, r) | c <- [0 .. 31], r <- [0 .. 17]]
-        onEdge (c, r) = meetsPhotonRing traced (XY (fromIntegral c + 0.5) (fromIntegral r + 0.5))
+        onEdge (c, r) = isJust (photonRing traced (XY (fromIntegral c + 0.5) (fromIntegral r + 0.5)))
         count (c, r) = estimateCount (refinedEstimate traced (const (const False)) (firstEstimate traced c r) c r)
         (edge, others) = (filter onEdge pixels, filter (not . onEdge) pixels)
     length edge `shouldSatisfy` (> 10)

@@ -39,7 +39,7 @@ spec = do
     forM_ [(small {sceneNoise = 0}, 1e-12), (small, 1e-6)] $ \(scene, tolerance) ->
       forM_ (everyPixel scene) $ \explanation -> do
         let samples = explainedSamples explanation
-            mean = scaleRadiance (1 / fromIntegral (length samples)) (mconcat (map sightingRadiance samples))
+            mean = scaleRadiance (1 / sum (map sightingWeight samples)) (mconcat [scaleRadiance (sightingWeight s) (sightingRadiance s) | s <- samples])
         if sceneNoise scene == 0
           then length samples `shouldBe` sceneSamples scene
           else length samples `shouldSatisfy` (>= sceneSamples scene)

@@ -14,6 +14,7 @@ import BlackHole.Trace.Pixel
 import BlackHole.Vector.XY (XY (..))
 import Control.Exception (evaluate)
 import Data.Int (Int64)
+import Data.Maybe (isJust)
 import Support.Allocation (allocatedBytes, whenOptimised)
 import Support.Approx
 import Support.Generators
@@ -77,7 +78,7 @@ spec = do
               atRest = asin (sqrt (6.75 * (1 - 1 / r)) / r)
               beta = sqrt (1 / r)
               edge = 320 + 320 * tan alpha / tan (30 * pi / 180)
-              found offset = maybe False (`meetsPhotonRing` XY (edge + offset) 180) traced
+              found offset = maybe False (\t -> isJust (photonRing t (XY (edge + offset) 180))) traced
           map found [-20, -4, -0.5, 0, 0.5, 4, 20] `shouldBe` [False, False, True, True, True, False, False]
         | r <- [6, 20, 80],
           observer <- [Static, Falling]

@@ -15,7 +15,7 @@ import BlackHole.Light.Dither (Dither (..))
 import BlackHole.Physics.Angle
 import qualified BlackHole.Physics.Observer as Observer
 import BlackHole.Physics.Spacetime (Spacetime (..))
-import BlackHole.Scene.Camera (Camera (cameraFieldOfView, cameraPose, cameraRoll), Picture (..), Pose (..), posePosition)
+import BlackHole.Scene.Camera (Camera (cameraFieldOfView, cameraPose, cameraRoll), Picture (..), Pose (..), Projection (..), posePosition, projectionFieldOfView, projectionHeight, projectionName)
 import BlackHole.Scene.Disk (DiskColour (..), DiskProfile (..), defaultDisk)
 import qualified BlackHole.Scene.Disk as Gas
 import BlackHole.Scene.Field.Field
@@ -52,18 +52,17 @@ currentPath path = fromMaybe path (lookup path formerPaths)
 
 -- | Every setting, in the order of printed scenes. Settings are applied in this order,
 -- whatever the order in which they are given: a setting that chooses between
--- alternatives comes before the settings of the alternatives, and the width before the
--- height, because it sets both. Settings of one group stand together.
+-- alternatives comes before the settings of the alternatives, the projection before the
+-- size of the picture, and the width before the height, because it sets both. Settings of
+-- one group stand together.
 --
 -- An option is named like the end of its setting's path: @--fov@ sets @camera.fov@ and
 -- @--disk-inner@ sets @disk.inner@. @--sky@ sets @sky.kind@, and @--no-gravity@ and
 -- @--no-disk@ set @physics.gravity@ and @disk.present@ to false.
 sceneFields :: [Field]
 sceneFields =
-  [ whole Image "image.width" (1, maximumPictureSide) "pixels" "Width of the picture in pixels; also sets the height to 9/16 of it" widthPart
-      `withOption` ("width", "PIXELS"),
-    whole Image "image.height" (1, maximumPictureSide) "pixels" "Height of the picture in pixels (default: 9/16 of the width)" heightPart
-      `withOption` ("height", "PIXELS"),
+  [ choice Camera "camera.projection" "a projection" projections "Projection of directions onto the picture: perspective, fisheye (for domes) or equirectangular (for VR); also sets the field of view, height and bloom that are usual for it" projectionPart
+      `withOption` ("projection", "NAME"),
     number Camera "camera.distance" (Quantity "a distance" Anything (UpTo 1e6) radii) "Distance of the camera from the hole in Schwarzschild radii" distancePart
       `withOption` ("distance", "R"),
     number Camera "camera.inclination" (angle (From 0) (UpTo 180) "degrees from the disk's axis") "Angle between the disk's axis and the camera in degrees: 0 is above the pole, 90 in the disk's plane" inclinationPart
@@ -76,10 +75,14 @@ sceneFields =
       `withOption` ("look-at", "X,Y,Z"),
     number Camera "camera.roll" (angle (From (-1e6)) (UpTo 1e6) "degrees") "Rotation of the camera about its line of sight in degrees, clockwise" (camera (part (inDegrees . cameraRoll) (\v c -> c {cameraRoll = Degrees v})))
       `withOption` ("roll", "DEGREES"),
-    number Camera "camera.fov" (angle (Above 0) (Below 180) "degrees") "Field of view across the width of the picture in degrees" (camera (part (inDegrees . cameraFieldOfView) (\v c -> c {cameraFieldOfView = Degrees v})))
+    number Camera "camera.fov" (angle (Above 0) (UpTo 360) "degrees") "Field of view across the width of the picture in degrees: below 180 in perspective, up to 360 in the other projections" (camera (part (inDegrees . cameraFieldOfView) (\v c -> c {cameraFieldOfView = Degrees v})))
       `withOption` ("fov", "DEGREES"),
     choice Observer "camera.observer" "an observer" observers "Motion of the observer: static, orbiting, falling, or coordinate (aims by coordinate directions, like the design report)" (part sceneObserver (\v s -> s {sceneObserver = v}))
       `withOption` ("observer", "WHO"),
+    whole Image "image.width" (1, maximumPictureSide) "pixels" "Width of the picture in pixels; also sets the height: to 9/16 of it, in a fisheye picture to the same, in an equirectangular one to half of it" widthPart
+      `withOption` ("width", "PIXELS"),
+    whole Image "image.height" (1, maximumPictureSide) "pixels" "Height of the picture in pixels (default: by the width and the projection)" heightPart
+      `withOption` ("height", "PIXELS"),
     switch Observer "physics.gravity" "Whether gravity bends light; without gravity, light travels straight and the hole is a black ball" gravityPart
       `withFlag` ("no-gravity", SwitchValue False, "Let light travel in straight lines; the hole is a black ball"),
     switch Observer "physics.doppler" "Whether to show frequency shifts due to motion (the Doppler effect)" (shifts (part shiftsDoppler (\v s -> s {shiftsDoppler = v})))
@@ -165,6 +168,11 @@ sceneFields =
   where
     radii = "Schwarzschild radii"
     angle = Quantity "an angle"
+    projections =
+      [ (Perspective, projectionName Perspective, "a flat picture, as a lens draws it"),
+        (Fisheye, projectionName Fisheye, "a round picture with angles in proportion, as domes need it"),
+        (Equirectangular, projectionName Equirectangular, "longitude and latitude, as VR viewers need them")
+      ]
     observers =
       [ (Observer.Static, Observer.observerName Observer.Static, "at rest"),
         (Observer.Orbiting, Observer.observerName Observer.Orbiting, "on a circular orbit"),
@@ -206,10 +214,24 @@ part get = Part (Just . get)
 widthPart, heightPart :: Part Scene Int
 widthPart = part (pictureWidth . scenePicture) $ \w s ->
   let height
-        | w > 0 = max 1 (round (fromIntegral w * 9 / 16 :: Double))
+        | w > 0 = projectionHeight (sceneProjection s) w
         | otherwise = pictureHeight (scenePicture s)
    in s {scenePicture = Picture w height}
 heightPart = part (pictureHeight . scenePicture) (\h s -> s {scenePicture = (scenePicture s) {pictureHeight = h}})
+
+-- Choosing the projection that is there already leaves everything alone.
+projectionPart :: Part Scene Projection
+projectionPart = part sceneProjection $ \projection s ->
+  let width = pictureWidth (scenePicture s)
+   in if projection == sceneProjection s
+        then s
+        else
+          s
+            { sceneProjection = projection,
+              sceneCamera = (sceneCamera s) {cameraFieldOfView = projectionFieldOfView projection},
+              scenePicture = Picture width (projectionHeight projection width),
+              sceneBloom = if projection == Equirectangular then 0 else sceneBloom s
+            }
 
 camera :: Part Camera a -> Part Scene a
 camera = inside (part sceneCamera (\c s -> s {sceneCamera = c}))

@@ -1,0 +1,67 @@
+-- | What viewers of panoramas want to know of an equirectangular picture: which part
+-- of the sphere it shows.
+--
+-- The terms are those of Google's "Photo Sphere XMP Metadata", which VR viewers,
+-- photo libraries and players read.
+module BlackHole.Image.Sphere
+  ( spherePacket,
+    isWholeSphere,
+  )
+where
+
+import BlackHole.Image.Label
+import BlackHole.Scene.Camera (Projection (..), projectionName)
+import BlackHole.Scene.Field.Kind (Value (..))
+import BlackHole.Scene.File.SceneFile
+import BlackHole.Scene.Setting
+import Data.ByteString (ByteString)
+import qualified Data.ByteString as Bytes
+import qualified Data.ByteString.Char8 as Characters
+
+-- | The angle across the width, in degrees, of a labelled picture that is
+-- equirectangular.
+sphereAngle :: Label -> Maybe Double
+sphereAngle label
+  -- Most pictures are not; reading their scenes would take longer than this look.
+  | not (Characters.pack name `Bytes.isInfixOf` labelScene label) = Nothing
+  | otherwise = case parseSceneFile (labelScene label) of
+    Right (file, _)
+      | let settings = map placedSetting (fileSettings file),
+        NameValue name `elem` valuesOf "camera.projection" settings,
+        NumberValue angle : _ <- valuesOf "camera.fov" settings ->
+        Just angle
+    _ -> Nothing
+  where
+    name = projectionName Equirectangular
+    valuesOf path settings = [settingValue s | s <- settings, settingPath s == path]
+
+-- | Whether a labelled picture of this width and height shows all directions.
+isWholeSphere :: Label -> (Int, Int) -> Bool
+isWholeSphere label (width, height) = sphereAngle label == Just 360 && width == 2 * height
+
+-- | The XMP packet of a labelled picture of this width and height; 'Nothing' for
+-- other projections.
+spherePacket :: Label -> (Int, Int) -> Maybe ByteString
+spherePacket label (width, height) = packet <$> sphereAngle label
+  where
+    packet angle =
+      Characters.pack . concat $
+        [ "<?xpacket begin=\"\xef\xbb\xbf\" id=\"W5M0MpCehiHzreSzNTczkc9d\"?>",
+          "<x:xmpmeta xmlns:x=\"adobe:ns:meta/\"><rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\">",
+          "<rdf:Description rdf:about=\"\" xmlns:GPano=\"http://ns.google.com/photos/1.0/panorama/\""
+        ]
+          ++ [" GPano:" ++ key ++ "=\"" ++ value ++ "\"" | (key, value) <- properties angle]
+          ++ ["/></rdf:RDF></x:xmpmeta><?xpacket end=\"r\"?>"]
+    properties angle =
+      [ ("ProjectionType", "equirectangular"),
+        ("UsePanoramaViewer", "True"),
+        ("FullPanoWidthPixels", show fullWidth),
+        ("FullPanoHeightPixels", show fullHeight),
+        ("CroppedAreaImageWidthPixels", show width),
+        ("CroppedAreaImageHeightPixels", show height),
+        ("CroppedAreaLeftPixels", show ((fullWidth - width) `quot` 2)),
+        ("CroppedAreaTopPixels", show ((fullHeight - height) `quot` 2))
+      ]
+      where
+        fullWidth = max width (round (fromIntegral width * 360 / angle)) :: Int
+        fullHeight = max height ((fullWidth + 1) `quot` 2)
