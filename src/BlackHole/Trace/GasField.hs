@@ -279,7 +279,7 @@ logDensity :: GasField -> XYZ -> Double -> Double -> Double
 logDensity field place r len = case gasAt field place r len 1 of
   Here dense _ -> if dense > 0 then log dense else 2 * faintest
 
--- | The noise that displaces the arms and bends the turbulence, −1 … 1. It turns
+-- | The noise that displaces the arms, −1 … 1. It turns
 -- with the arms.
 displacement :: GasField -> XYZ -> Double
 displacement field (XYZ x y z) =

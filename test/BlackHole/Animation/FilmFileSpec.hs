@@ -38,7 +38,7 @@ spec = do
       let (film, faults) = section ["  frames: 48", "  keyframes:", "    camera.distance: {2: 20, 0: 30}", "    camera.azimuth: {shortest-turn: true, 0: 350, 2: 10}", "    disk.arms.count: {0: 1, 2: 4}"]
           at n = [(cameraPose (sceneCamera scene), sceneSeed scene) | Right scenes <- [frameScenes film n], scene <- toList scenes]
       faults `shouldBe` []
-      at 24 `shouldBe` [(Around 25 (Degrees 82) (Degrees 360), 0)]
+      at 24 `shouldBe` [(Around 25 (Degrees 77) (Degrees 360), 0)]
       at 47 `shouldSatisfy` (not . null)
     it "moves vectors" $ do
       let (film, faults) = section ["  frames: 48", "  keyframes:", "    camera.look-at: {0: [0, 0, 0], 2: [0, 2, 0]}"]

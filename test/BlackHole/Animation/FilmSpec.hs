@@ -23,7 +23,7 @@ spec = do
   it "sets keyed fields first and moves the camera from there" $ do
     let moving = film {filmTracks = distances, filmPath = Just (Orbit (XYZ 0 (-1) 0) 1 Linear)}
     fmap (map (cameraPose . sceneCamera) . toList) (frameScenes moving 24)
-      `shouldBe` Right [Around 25 (Degrees 82) (Degrees 270)]
+      `shouldBe` Right [Around 25 (Degrees 77) (Degrees 270)]
   it "does not run into its own beginning twice" $ do
     let turning = film {filmPath = Just (Orbit (XYZ 0 (-1) 0) 1 Linear)}
         azimuth n = [a | Right scenes <- [frameScenes turning n], scene <- toList scenes, Around _ _ (Degrees a) <- [cameraPose (sceneCamera scene)]]

@@ -38,7 +38,7 @@ spec = do
     it "leaves no option of render without a heading" $
       lines (text ["help", "render"]) `shouldNotContain` ["This command:"]
     it "shows defaults" $
-      text ["help", "camera"] `shouldSatisfy` isInfixOf "(default: -12)"
+      text ["help", "camera"] `shouldSatisfy` isInfixOf "(default: -8)"
   describe "slips" $ do
     meant ["render", "--widht", "3"] "--width"
     meant ["animate", "--frame-rnage", "3"] "--frame-range"

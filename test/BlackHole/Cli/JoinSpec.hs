@@ -56,7 +56,7 @@ spec = do
         complaints = fmap (fromLeft []) . openTiles
     complaints (drop 1 paths) `shouldReturn` ["tile 1/3 is missing"]
     _ <- tile folder (plain ++ ["--inclination", "70"]) 2 3
-    complaints paths `shouldReturn` [folder </> "2.tile belongs to another picture than " ++ folder </> "1.tile: inclination: 70 instead of inclination: 82"]
+    complaints paths `shouldReturn` [folder </> "2.tile belongs to another picture than " ++ folder </> "1.tile: inclination: 70 instead of inclination: 77"]
     _ <- tile folder plain 2 3
     bytes <- Bytes.readFile (folder </> "2.tile")
     let (start, end) = Bytes.splitAt (Bytes.length bytes - 1000) bytes

@@ -95,7 +95,7 @@ spec = do
         seen scene = (scenePicture scene, cameraFieldOfView (sceneCamera scene), sceneBloom scene)
     seen (with "equirectangular") `shouldBe` (Picture 400 200, Degrees 360, 0)
     seen (with "fisheye") `shouldBe` (Picture 400 400, Degrees 180, 0.1)
-    seen (with "perspective") `shouldBe` (Picture 400 225, Degrees 50, 0.1)
+    seen (with "perspective") `shouldBe` (Picture 400 225, Degrees 40, 0.1)
   it "refuses what does not fit on the sphere" $ do
     map problemName (validateScene sphere {scenePicture = Picture 128 65}) `shouldBe` ["--height"]
     map problemName (validateScene sphere {sceneBloom = 0.1}) `shouldBe` ["--bloom"]
@@ -137,6 +137,7 @@ lit :: Scene
 lit =
   defaultScene
     { scenePicture = Picture 128 72,
+      sceneBloom = 0,
       sceneDisk = Nothing,
       sceneSky = SkyGrid,
       sceneCamera = Camera (Around 12 (Degrees 80) (Degrees 90)) (Degrees 7) (Degrees 90),

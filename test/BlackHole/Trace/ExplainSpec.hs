@@ -60,7 +60,7 @@ spec = do
         Just light -> do
           arrivalConstants light `shouldBe` AngularMomentum (angularMomentum photon)
           arrivalFrequency light `shouldBe` observed
-          observed `shouldBeWithin` (1e-14, 1 / sqrt (1 - 1 / 30))
+          observed `shouldBeWithin` (1e-14, 1 / sqrt (1 - 1 / 54))
         Nothing -> expectationFailure "no light"
       _ -> expectationFailure "no explanation"
   it "the middle of a bare hole is captured, without gas, at b = 0" $

@@ -88,7 +88,7 @@ spec = do
       Nothing -> expectationFailure "no scene"
       Just traced -> do
         let stretches point = maybe 0 (\sight -> followedSteps (followSight traced point sight (\() _ -> Onward ()) ())) (tracedSight traced point)
-            points = [XY x y | x <- [100, 300 .. 1200], y <- [250, 290 .. 700]]
+            points = [XY x y | x <- [100, 200 .. 1800], y <- [250, 270 .. 830]]
         bytes <- bytesOfRays traced points
         let long = [b | (b, point) <- zip bytes points, stretches point >= 16]
         length long `shouldSatisfy` (> 10)
