@@ -87,10 +87,17 @@ topicNames = map (map toLower . topicName) [minBound ..] ++ map fst guides
 -- | Topics that are not about settings.
 guides :: [(String, [String])]
 guides =
-  [ ("animation", "Films: keyframes, camera paths and motion blur." : concatMap partLines animationHelp ++ ["", "Example: blackhole animate --preset luminet --orbit 360 --duration 4 -o frames/%05d.png"]),
+  [ ("hole", "The hole and its spin." : "" : concatMap (\text -> wrapped 0 text ++ [""]) holeHelp ++ ["Example: blackhole render --spin 0.9 --inclination 85 -o kerr.png"]),
+    ("animation", "Films: keyframes, camera paths and motion blur." : concatMap partLines animationHelp ++ ["", "Example: blackhole animate --preset luminet --orbit 360 --duration 4 -o frames/%05d.png"]),
     ("exit-status", "Exit codes, the same for all commands." : "" : concatMap (uncurry (row 12)) exitTexts ++ ["", "Example: blackhole selftest --quiet"])
   ]
   where
+    holeHelp =
+      [ "A hole is its mass and its spin. The mass sets the scale: every length is in Schwarzschild radii, and nothing else depends on it. The spin (--spin, or hole.spin in scene files) is the angular momentum as a fraction of the greatest that a hole can have, from -1 to 1; 0 is a hole that does not rotate.",
+        "A rotating hole drags space along. Light that passes on the side that turns towards you gets closer without falling in, so the shadow shifts and is flattened on that side: like the letter D for a fast hole in the plane of its disk. Inside the ergosphere (1 in the disk's plane) nothing can stay at rest.",
+        "A positive spin turns with the disk, a negative one against it. With the disk, the gas can circle closer in: down to 3 without spin, 1.16 at 0.9, 0.62 at 0.998, but only 4.36 at -0.9. The disk is hotter and its light more strongly shifted there. A disk that reaches down to that orbit follows the spin unless --disk-inner says otherwise.",
+        "The observers static, zamo, orbiting, counter-orbiting and falling are possible; static ones outside the ergosphere only. A zamo turns with space and has no angular momentum of its own."
+      ]
     partLines part =
       "" : case part of
         Paragraph text -> wrapped 0 text
@@ -264,7 +271,7 @@ manualPage version commands =
       ".B blackhole",
       "\\fICOMMAND\\fR [\\fIOPTION\\fR...]",
       ".SH DESCRIPTION",
-      roff "Traces light backwards from a camera through the curved space around a black hole that does not rotate: a disk of glowing gas, the sky behind it, and the hole's shadow.",
+      roff "Traces light backwards from a camera through the curved space around a black hole, rotating or not: a disk of glowing gas, the sky behind it, and the hole's shadow.",
       roff "Equal scenes give equal bytes for any number of threads.",
       roff "Lengths are in Schwarzschild radii (r_s), times in r_s/c, and angles in degrees unless stated otherwise.",
       roff "If an option is given more than once, the last one counts.",

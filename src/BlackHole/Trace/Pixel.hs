@@ -332,7 +332,7 @@ tracedGas traced sight = case tracerMatter traced of
 -- | The radiance that the sky sends to the end of a line of sight through a point of
 -- the picture, without gas in between.
 tracedSky :: Tracer -> XY -> SightLine -> Fate -> Radiance
-tracedSky traced point sight fate = case fate of
+tracedSky prepared point sight fate = case fate of
   Escaped direction ->
     let !shift = skyShift (tracerSkyShift traced) (sightFrequency sight)
      in case tracerSky traced of
@@ -341,21 +341,33 @@ tracedSky traced point sight fate = case fate of
   Captured -> black
   Opaque -> black
   StepLimit -> black
+  where
+    -- As in 'sharingRadiance'.
+    traced = lazy prepared
 
 -- | The beam behind a point of the picture, beyond all gas, from the line of sight
 -- through it and the direction of escape. Uses the table of paths or, where that has no
 -- answer, the paths through points beside it. 'Nothing' if no light arrives from the
 -- sky.
 tracedBeam :: Tracer -> XY -> SightLine -> XYZ -> Maybe Beam
-tracedBeam traced point sight direction = case (sceneSpacetime (tracerScene traced), sight) of
+tracedBeam prepared point sight direction = case (sceneSpacetime (tracerScene traced), sight) of
   (Schwarzschild, SightLine photon _)
     | Just (SightLine beside _) <- sightAt (XY step 0),
       Just (SightLine below _) <- sightAt (XY 0 step),
       Just (LensChanges alongX alongY) <- lensChanges (tracerTable traced) photon direction beside below ->
       Just (Beam direction ((1 / step) *^ alongX) ((1 / step) *^ alongY))
+  -- Two evaluations, where the general way takes three.
+  (_, RotatingSight {})
+    | Just beside <- escape (XY step 0),
+      Just below <- escape (XY 0 step) ->
+      Just (Beam direction ((1 / step) *^ (beside ^-^ direction)) ((1 / step) *^ (below ^-^ direction)))
   _ -> beamByDifferences escape (XY 0 0)
   where
-    step = 0.01
+    -- As in 'sharingRadiance'.
+    traced = lazy prepared
+    step = case sight of
+      SightLine _ _ -> 0.01
+      RotatingSight {} -> 1e-3
     sightAt offset = sightBeside (tracerPlane traced) point offset >>= sightFrom (tracerEye traced)
     escape offset = sightAt offset >>= escapeDirection traced point
 
