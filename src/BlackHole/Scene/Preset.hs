@@ -14,6 +14,7 @@ import BlackHole.Light.Display (Exposure (..), ToneMap (..))
 import BlackHole.Light.Dither (Dither (..))
 import BlackHole.Physics.Angle (Degrees (..))
 import BlackHole.Physics.Observer (Observer (..))
+import BlackHole.Physics.Kerr.Landmarks (Handedness (RightHanded), iscoRadius, spin)
 import BlackHole.Physics.Spacetime (Spacetime (..))
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Disk
@@ -45,7 +46,8 @@ describedPresets =
     Preset "luminet" "Luminet's picture of 1979: a thin opaque disk, its intensity over all wavelengths, without colour" luminetScene,
     Preset "lens-only" "no disk, only the sky distorted by the hole" defaultScene {sceneDisk = Nothing, sceneSky = SkyStars realSky {realSkyRotation = Degrees (-6), realSkyMilkyWay = 3}, sceneExposure = Exposure 2.5},
     Preset "photon-ring" "a close-up of the rings formed by light that has gone around the hole" photonRingScene,
-    Preset "falling" "the view of an observer falling into the hole, at r = 2.6" fallingScene
+    Preset "falling" "the view of an observer falling into the hole, at r = 2.6" fallingScene,
+    Preset "kerr" "a hole that rotates almost as fast as possible, seen from close to the plane of its disk: a shadow like the letter D" kerrScene
   ]
 
 -- | The names, the default first.
@@ -120,6 +122,17 @@ fallingScene =
       sceneObserver = Falling,
       sceneExposure = Exposure (-3)
     }
+
+kerrScene :: Scene
+kerrScene = maybe defaultScene around (spin 0.998)
+  where
+    around hole =
+      defaultScene
+        { sceneCamera = Camera (Around 40 (Degrees 86) (Degrees 90)) (Degrees 0) (Degrees 30),
+          sceneSpacetime = Kerr hole,
+          sceneDisk = Just defaultDisk {diskInnerRadius = iscoRadius RightHanded hole, diskOuterRadius = 11},
+          sceneExposure = Exposure (-0.5)
+        }
 
 -- | A wide disk seen from above its plane by an observer at rest. All of it is in the
 -- frame, also at a field of view of 40 degrees.

@@ -84,10 +84,10 @@ sceneFields =
       `withOption` ("width", "PIXELS"),
     whole Image "image.height" (1, maximumPictureSide) "pixels" "Height of the picture in pixels (default: by the width and the projection)" heightPart
       `withOption` ("height", "PIXELS"),
-    switch Observer "physics.gravity" "Whether gravity bends light; without gravity, light travels straight and the hole is a black ball" gravityPart
-      `withFlag` ("no-gravity", SwitchValue False, "Let light travel in straight lines; the hole is a black ball"),
     number Observer "hole.spin" (Quantity "a spin" (Above (-1)) (Below 1) "") "Spin of the hole, from -1 to 1: its angular momentum as a fraction of the greatest possible, positive if the hole turns with the disk" spinPart
       `withOption` ("spin", "A"),
+    switch Observer "physics.gravity" "Whether gravity bends light; without gravity, light travels straight and the hole is a black ball" gravityPart
+      `withFlag` ("no-gravity", SwitchValue False, "Let light travel in straight lines; the hole is a black ball"),
     switch Observer "physics.doppler" "Whether to show frequency shifts due to motion (the Doppler effect)" (shifts (part shiftsDoppler (\v s -> s {shiftsDoppler = v})))
       `withOption` ("doppler", "on|off"),
     switch Observer "physics.redshift" "Whether to show frequency shifts due to gravity" (shifts (part shiftsGravity (\v s -> s {shiftsGravity = v})))
