@@ -222,15 +222,15 @@ outcomeText json outcome
         ++ legendOf (not (null (reportCrossings report)))
     legendOf crosses =
       unlines
-          ( if not crosses
-                 then []
-                 else
-                   [ "A crossing is a point where the path crosses the disk's plane; its azimuth is",
-                     "atan2(z, x). g is the frequency that the observer measures over the frequency",
-                     "that gas emits there, on its circular orbit or, inside the innermost stable one,",
-                     "falling inwards."
-                   ]
-          )
+        ( if not crosses
+            then []
+            else
+              [ "A crossing is a point where the path crosses the disk's plane; its azimuth is",
+                "atan2(z, x). g is the frequency that the observer measures over the frequency",
+                "that gas emits there, on its circular orbit or, inside the innermost stable one,",
+                "falling inwards."
+              ]
+        )
 
 reportMembers :: PathReport -> [(String, Json)]
 reportMembers report =

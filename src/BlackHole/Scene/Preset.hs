@@ -13,8 +13,8 @@ where
 import BlackHole.Light.Display (Exposure (..), ToneMap (..))
 import BlackHole.Light.Dither (Dither (..))
 import BlackHole.Physics.Angle (Degrees (..))
-import BlackHole.Physics.Observer (Observer (..))
 import BlackHole.Physics.Kerr.Landmarks (Handedness (RightHanded), iscoRadius, spin)
+import BlackHole.Physics.Observer (Observer (..))
 import BlackHole.Physics.Spacetime (Spacetime (..))
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Disk
@@ -130,8 +130,9 @@ kerrScene = maybe defaultScene around (spin 0.998)
       defaultScene
         { sceneCamera = Camera (Around 40 (Degrees 86) (Degrees 90)) (Degrees 0) (Degrees 30),
           sceneSpacetime = Kerr hole,
-          sceneDisk = Just defaultDisk {diskInnerRadius = iscoRadius RightHanded hole, diskOuterRadius = 11},
-          sceneExposure = Exposure (-0.5)
+          -- The gas is hottest in a narrow ring; as bright as the default's it would leave
+          -- the rest of the disk dark.
+          sceneDisk = Just defaultDisk {diskInnerRadius = iscoRadius RightHanded hole, diskOuterRadius = 11, diskBrightness = 3.5, diskColour = BlackBody 4800}
         }
 
 -- | A wide disk seen from above its plane by an observer at rest. All of it is in the
