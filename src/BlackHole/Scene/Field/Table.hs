@@ -84,8 +84,6 @@ sceneFields =
       `withOption` ("width", "PIXELS"),
     whole Image "image.height" (1, maximumPictureSide) "pixels" "Height of the picture in pixels (default: by the width and the projection)" heightPart
       `withOption` ("height", "PIXELS"),
-    number Observer "hole.spin" (Quantity "a spin" (Above (-1)) (Below 1) "") "Spin of the hole, from -1 to 1: its angular momentum as a fraction of the greatest possible, positive if the hole turns with the disk" spinPart
-      `withOption` ("spin", "A"),
     switch Observer "physics.gravity" "Whether gravity bends light; without gravity, light travels straight and the hole is a black ball" gravityPart
       `withFlag` ("no-gravity", SwitchValue False, "Let light travel in straight lines; the hole is a black ball"),
     switch Observer "physics.doppler" "Whether to show frequency shifts due to motion (the Doppler effect)" (shifts (part shiftsDoppler (\v s -> s {shiftsDoppler = v})))
@@ -96,6 +94,8 @@ sceneFields =
       `withOption` ("integrator", "NAME"),
     number Observer "physics.step" (Quantity "a length" (From 1e-5) (UpTo 10) radii) "Base step length of the leapfrog in Schwarzschild radii" (part sceneStep (\v s -> s {sceneStep = v}))
       `withOption` ("step", "L"),
+    number Observer "hole.spin" (Quantity "a spin" (Above (-1)) (Below 1) "") "Spin of the hole, from -1 to 1: its angular momentum as a fraction of the greatest possible, positive if the hole turns with the disk" spinPart
+      `withOption` ("spin", "A"),
     switch Disk "disk.present" "Whether there is a disk; without one, no other setting of the disk has an effect" presencePart
       `withFlag` ("no-disk", SwitchValue False, "Render without a disk"),
     number Disk "disk.inner" (Quantity "a radius" (From 0) (UpTo 1e4) radii) "Inner radius of the disk in Schwarzschild radii" (disk (part Gas.diskInnerRadius (\v d -> d {Gas.diskInnerRadius = v})))
