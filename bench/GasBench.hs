@@ -2,6 +2,7 @@
 module GasBench (benchmarks) where
 
 import BlackHole.Physics.LightPath
+import BlackHole.Physics.Spacetime (Spacetime (Schwarzschild))
 import BlackHole.Scene.Disk
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Shifts

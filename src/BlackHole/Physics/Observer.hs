@@ -234,9 +234,10 @@ sightFrom prepared !direction = case kind of
           -- Frequency in the static frame of light that has frequency one here.
           frequency = gamma * (1 - speed * forwards)
           momentum = direction ^+^ ((gamma - 1) * forwards - gamma * speed) *^ forward
-       in static ((1 / frequency) *^ momentum) >>= \sight -> case sight of
-            SightLine photon shift -> along photon (shift / frequency)
-            RotatingSight {} -> Nothing
+       in static ((1 / frequency) *^ momentum) >>= slowed frequency
+    slowed frequency sight = case sight of
+      SightLine photon shift -> along photon (shift / frequency)
+      RotatingSight {} -> Nothing
     along photon shift = Just $! SightLine photon shift
     -- Light of frequency one for the observer has this energy at infinity and this
     -- pseudo-velocity. Scale both to unit energy.

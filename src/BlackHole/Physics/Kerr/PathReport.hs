@@ -84,7 +84,7 @@ kerrReport hole drawn ray =
       Captured -> kerrMinoTime path * (1 - 1e-9)
       Circles -> 20
     -- Outwards at the end, so that the radius grows beyond some time for good.
-    lastBelow radius time = bisect (\t -> let point = kerrPoint path t in not (pointGrows point) || pointRadius point < radius) 0 time
+    lastBelow radius = bisect (\t -> let point = kerrPoint path t in not (pointGrows point) || pointRadius point < radius) 0
 
 -- | From φ, which counts from @+z@, to the azimuth @atan2 z x@.
 azimuthOf :: Double -> Double
