@@ -14,7 +14,7 @@ where
 
 import BlackHole.Scene.Field.Condition
 import BlackHole.Scene.Field.Field
-import BlackHole.Scene.Field.Kind (Value (..), showValue)
+import BlackHole.Scene.Field.Kind (Value (..), rangeFault, showValue)
 import BlackHole.Scene.Field.Table
 import BlackHole.Scene.Scene
 import Data.List (find)
@@ -80,11 +80,15 @@ data Naming
     InFile
   deriving (Eq, Show)
 
--- | One line that says that a setting has no effect, and why.
+-- | One line that says that a setting has no effect, and why. A value out of its range,
+-- which a scene may be unable to hold, is the reason before any other.
 renderIdle :: Naming -> Idle -> String
-renderIdle naming (Idle (Setting path value) _ culprit condition) =
-  name path ++ ": " ++ showValue value ++ " has no effect" ++ maybe alone besides culprit
+renderIdle naming (Idle (Setting path value) kept culprit condition) =
+  name path ++ ": " ++ showValue value ++ maybe (" has no effect" ++ maybe alone besides culprit) (" is not " ++) range
   where
+    range
+      | kept = Nothing
+      | otherwise = findField path >>= \field -> rangeFault (fieldKind field) value
     besides other = " with " ++ assigned other ++ (if isSwitch (settingValue other) then "" else foldMap needed condition)
     alone = maybe " in this scene" needed condition
     needed c = "; it applies only with " ++ name (conditionPath c) ++ " " ++ conditionNeeds c

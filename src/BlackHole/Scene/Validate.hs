@@ -103,7 +103,10 @@ crossFaults scene = pose ++ projected ++ foldMap edges (sceneDisk scene) ++ turn
         [Fault "camera.distance" (NumberValue r) placeRange | not (standsAt r)]
       LookAt _ _ ->
         [Fault "camera.position" (VectorValue place) ("X,Y,Z at " ++ placeRange) | not (standsAt (XYZ.norm place))]
-    place = posePosition (cameraPose (sceneCamera scene))
+    -- Any azimuth is as good as another; one that is no angle is reported by itself.
+    place = posePosition $ case cameraPose (sceneCamera scene) of
+      Around r inclination _ -> Around r inclination (Degrees 0)
+      pose' -> pose'
     XYZ _ elevation _ = place
     least = observerRange (sceneSpacetime scene) (sceneObserver scene) (acos (max (-1) (min 1 (elevation / XYZ.norm place))))
     standsAt r = r > least && r <= 1e6 && observerExists (sceneSpacetime scene) (sceneObserver scene) place

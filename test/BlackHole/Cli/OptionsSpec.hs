@@ -64,6 +64,8 @@ spec = do
     idle ["--step", "0.1", "--integrator", "exact"] "--step: 0.1 has no effect; it applies only with --integrator leapfrog"
     idle ["--no-disk", "--disk-inner", "4"] "--disk-inner: 4 has no effect with --no-disk"
     idle ["--preset", "lens-only", "--temperature", "6000"] "--temperature: 6000 has no effect; it applies only with disk.present on"
+    idle ["--no-gravity", "--spin", "0.5"] "--spin: 0.5 has no effect with --no-gravity"
+    idle ["--spin", "1"] "--spin: 1 is not a spin above -1 and below 1"
     idle ["--sky", "grid", "--sky-rotation", "20"] "--sky-rotation: 20 has no effect with --sky grid; it applies only with --sky stars or FILE"
     idle ["--debug-textures", "--sky", "grid"] "--sky: grid has no effect with --debug-textures"
     idle ["--samples", "1", "--noise", "0.1"] "--noise: 0.1 has no effect with --samples 1; it applies only with --samples above 1"
