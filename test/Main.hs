@@ -2,8 +2,9 @@
 -- @N passed, N failed@, and @, N skipped@ if any are pending.
 module Main (main) where
 
+import Control.Concurrent (forkIO, threadDelay)
 import Control.Exception (SomeException, fromException, throwIO, try)
-import Control.Monad (when)
+import Control.Monad (forever, when)
 import Data.IORef
 import qualified Spec
 import System.Exit (ExitCode (..), exitWith)
@@ -13,8 +14,9 @@ import Test.Hspec.Core.Spec (Item (..), Result (..), ResultStatus (..), Spec, ma
 
 main :: IO ()
 main = do
-  -- A pipe shows each line as it comes, like a terminal.
-  hSetBuffering stdout LineBuffering
+  -- A pipe shows each line soon after it comes, like a terminal. hspec sets the
+  -- buffering as it likes.
+  _ <- forkIO (forever (threadDelay 200000 >> hFlush stdout))
   pending <- newIORef 0
   outcome <- try (hspecWithResult defaultConfig (countingPending pending Spec.spec))
   case outcome of

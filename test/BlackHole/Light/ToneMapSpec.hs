@@ -46,6 +46,10 @@ spec = do
     mapM_ (\stops -> shown stops `shouldSatisfy` (\q -> q > 0.25 && q < 0.3)) [-6, -4, -2, -0.5]
     shown 2 `shouldSatisfy` (> 0.5)
     shown 4 `shouldSatisfy` (> 0.95)
+  it "film lets bright light without any blue pale towards white, and dim light not" $ do
+    let blue stops = let Radiance _ _ b = applyToneMap ToneFilm (scaleRadiance (2 ** stops) (Radiance 1 0.3 0)) in b
+    blue (-2) `shouldSatisfy` (< 1e-6)
+    blue 3 `shouldSatisfy` (> 0.02)
   it "turn the hue of glowing gas by little" $
     -- In OKLab, of black bodies over nine stops, where colour is left to see.
     mapM_
