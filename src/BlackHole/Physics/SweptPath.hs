@@ -198,7 +198,9 @@ followSwept space table region phase photon gather = start
             !(XYZ _ sineLatitude _) = outward
             -- Far from the plane the gas varies slowly.
             !growth = max 1 (min core (abs sineLatitude * core / steepest u))
-            goOn = samples (n + 1) (t + step) (turn * growth) final limit turn path outward0 onward0 upper middle to next
+            !grown = turn * growth
+            goOn = samples (n + 1) (t + step) grown final limit turn path outward0 onward0 upper middle to next
+            {-# INLINE goOn #-}
          in if abs sineLatitude > steepest u || u < uOuter || u > uInner
               then goOn state
               else

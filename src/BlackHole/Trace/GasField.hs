@@ -245,7 +245,7 @@ data Here = Here
 gasAt :: GasField -> XYZ -> Double -> Double -> Double -> Here
 gasAt field place@(XYZ x y z) !r !len !slant
   | r >= fieldOuter field = Here 0 0
-  | profile - plain * plain < faintest = if fieldHaze field > 0 then Here (hazeAt ()) 0 else Here 0 0
+  | profile - plain * plain < faintest = Here thin 0
   | otherwise =
     let !azimuth = arcTangent2 x z * (1 / (2 * pi))
         !displaced
@@ -260,18 +260,24 @@ gasAt field place@(XYZ x y z) !r !len !slant
         !heat
           | fieldHeat field == 0 = 0
           | otherwise = fieldHeat field * (swirl + armFluctuation (fieldArmDepth field) wave) - valueAt (fieldDetail field) resolved 2 - fieldArmHeat field
-     in if fieldHaze field > 0
-          then let !haze = hazeAt () in Here (dense + haze) (heat * (dense / (dense + haze + 1e-300)))
-          else Here dense heat
+     in Here (dense + thin) (heat * (dense / (dense + thin + 1e-300)))
   where
     row = rowAt (fieldRadial field) r
     profile = valueAt (fieldRadial field) row 0
     -- The arms only make the disk thinner.
     !plain = y / (fieldThickness field + fieldFlare field * r)
-    hazeAt () =
-      let !e = profile - plain * plain * fieldHazeNarrowness field
-       in if e < faintest then 0 else fieldHaze field * exponential e
+    !thin = haze field profile plain
 {-# INLINE gasAt #-}
+
+-- | The density of the haze over that of dense gas, from the logarithm of the smooth
+-- disk's density in the plane and the height in thicknesses of the disk.
+haze :: GasField -> Double -> Double -> Double
+haze field !profile !plain
+  | fieldHaze field == 0 || e < faintest = 0
+  | otherwise = fieldHaze field * exponential e
+  where
+    e = profile - plain * plain * fieldHazeNarrowness field
+{-# INLINE haze #-}
 
 -- | @logDensity field place r len@: the natural logarithm of the density over
 -- that of dense gas; far below 'faintest' where there is none.
