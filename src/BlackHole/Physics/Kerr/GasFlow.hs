@@ -9,7 +9,6 @@ module BlackHole.Physics.Kerr.GasFlow
     planeFrequency,
     Frequencies (..),
     gasFrequencies,
-    flowHorizon,
   )
 where
 
@@ -81,10 +80,6 @@ planeFrequency flow ray r grows
           / (gasP * p + gasR * lightR)
       | otherwise = (gasP * p - gasR * lightR) / delta
     plunging = radialPart - (momentum - a * energy) * (lambda - a)
-
--- | The horizon's radius, at and inside which there is no gas.
-flowHorizon :: GasFlow -> Double
-flowHorizon = flowOuterHorizon
 
 -- | Frequencies of light over that at infinity: for the gas, and for the observer beside
 -- it without angular momentum, who turns with space. Their ratio is the shift by the

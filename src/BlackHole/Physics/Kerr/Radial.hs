@@ -93,8 +93,21 @@ radialPotential hole ray r = p * p - delta * kappa
 -- through. 'Nothing' where these roots belong to no orbit outside the horizon.
 photonOrbitOffset :: Spin -> LightRay -> Maybe Double
 photonOrbitOffset hole ray
-  | z > horizonRadius hole = Just (negate (0.5 * c2 + z * z + kappa / (4 * z)) / (z * z))
+  | z > horizonRadius hole = Just (upper / (z * z))
   | otherwise = Nothing
+  where
+    Roots z upper _ = rootsOf hole ray
+
+-- | The four roots of @R@, as @z ± √upper@ and @−z ± √lower@.
+data Roots
+  = Roots
+      {-# UNPACK #-} !Double
+      {-# UNPACK #-} !Double
+      {-# UNPACK #-} !Double
+
+rootsOf :: Spin -> LightRay -> Roots
+rootsOf hole ray =
+  Roots z (negate (0.5 * c2 + z * z + kappa / (4 * z))) (kappa / (4 * z) - 0.5 * c2 - z * z)
   where
     a = spinLength hole
     lambda = rayLambda ray
@@ -136,17 +149,9 @@ radial hole ray
      in Just (motion (Single r1 r2 a1 b1 (sqrt complement)) (sqrt (a1 * b1)) complement False)
   | otherwise = Nothing
   where
-    a = spinLength hole
     horizon = horizonRadius hole
-    lambda = rayLambda ray
-    eta = rayEta ray
     r0 = rayRadius ray
-    c2 = (a - lambda) * (a + lambda) - eta
-    kappa = eta + (lambda - a) * (lambda - a)
-    z = ferrari c2 kappa (negate (a * a * eta))
-    -- The roots are z ± √upper and −z ± √lower.
-    upper = negate (0.5 * c2 + z * z + kappa / (4 * z))
-    lower = kappa / (4 * z) - 0.5 * c2 - z * z
+    Roots z upper lower = rootsOf hole ray
     grows = rayRadialRate ray > 0
     motion shape rate complement turns =
       Radial
