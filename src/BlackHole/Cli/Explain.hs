@@ -101,6 +101,7 @@ sightLines scene sighting =
     fateText fate = case fate of
       Escaped direction -> fateName fate ++ " to the sky at" ++ vector direction
       Captured -> fateName fate ++ " by the hole"
+      Circles -> fateName fate ++ " on a photon orbit"
       Opaque -> fateName fate ++ ": the gas hides everything behind it"
       StepLimit -> fateName fate ++ " reached"
 

@@ -23,9 +23,8 @@ import BlackHole.Cli.Read
 import BlackHole.Numeric.Angle
 import BlackHole.Scene.Scene (Integrator (..), integratorName)
 import BlackHole.Scene.Validate (Problem (..))
+import BlackHole.Spacetime.Fate
 import BlackHole.Spacetime.Kerr.Landmarks (Spin, ergosphereRadius, spin)
-import BlackHole.Spacetime.Kerr.Path (KerrFate (Escapes))
-import qualified BlackHole.Spacetime.Kerr.Path as Kerr
 import BlackHole.Spacetime.Kerr.PathReport
 import BlackHole.Spacetime.Kerr.Sight
 import BlackHole.Spacetime.PathReport
@@ -234,7 +233,7 @@ outcomeText json outcome
 
 reportMembers :: PathReport -> [(String, Json)]
 reportMembers report =
-  [ ("fate", Text (reportFate report)),
+  [ ("fate", Text (fateName (reportFate report))),
     ("impactParameter", maybeNumber (reportImpactParameter report)),
     ("sweptAngle", maybeNumber (reportSweptAngle report)),
     ("deflection", maybeNumber (reportDeflection report)),
@@ -247,7 +246,7 @@ reportMembers report =
 
 rotatingMembers :: KerrReport -> [(String, Json)]
 rotatingMembers report =
-  [ ("fate", Text fate),
+  [ ("fate", Text (fateName (kerrReportFate report))),
     ("lambda", Number (kerrReportLambda report)),
     ("carterQ", Number (kerrReportCarter report)),
     ("minoTime", Number (kerrReportMinoTime report)),
@@ -261,10 +260,9 @@ rotatingMembers report =
     )
   ]
   where
-    (fate, direction) = case kerrReportFate report of
-      Escapes (XYZ x y z) -> ("escaped", List [Number x, Number y, Number z])
-      Kerr.Captured -> ("captured", Null)
-      Kerr.Circles -> ("circles", Null)
+    direction = case kerrReportFate report of
+      Escaped (XYZ x y z) -> List [Number x, Number y, Number z]
+      _ -> Null
 
 differenceMembers :: PathDifference -> [(String, Json)]
 differenceMembers difference =

@@ -11,8 +11,8 @@ where
 
 import BlackHole.Figure.Figure
 import BlackHole.Numeric.Angle (Radians (..))
+import BlackHole.Spacetime.Fate
 import BlackHole.Spacetime.Photon (Photon (..))
-import BlackHole.Spacetime.Schwarzschild.Orbit (OrbitFate (..))
 import BlackHole.Spacetime.Schwarzschild.Radii
 import BlackHole.Spacetime.Schwarzschild.Trajectory
 import BlackHole.Vector.XY (XY (..))
@@ -73,10 +73,11 @@ classifyRay :: Double -> RayClass
 classifyRay = classOf . trajectoryFromInfinity fanSight
 
 classOf :: Trajectory -> RayClass
-classOf trajectory = case trajectoryFate trajectory of
-  Escapes angle | angle < 2 * pi -> Escaping
-  Captured angle | angle < 2 * pi -> Falling
-  _ -> Winding
+classOf trajectory
+  | trajectorySweep trajectory >= 2 * pi = Winding
+  | otherwise = case trajectoryFate trajectory of
+    Escaped _ -> Escaping
+    _ -> Falling
 
 -- | The line of sight whose plane contains the rays. It comes from +y, which the figure
 -- turns to its left edge.

@@ -6,6 +6,7 @@ module BlackHole.SelfTest.Kerr
 where
 
 import BlackHole.SelfTest.Check
+import BlackHole.Spacetime.Fate
 import BlackHole.Spacetime.Kerr.GasFlow
 import BlackHole.Spacetime.Kerr.Landmarks
 import BlackHole.Spacetime.Kerr.Path
@@ -59,7 +60,7 @@ rayChecks =
         Just ray -> value (kerrPath hole (BoyerLindquist 0) ray) ray
         Nothing -> notANumber
     missed fate = case fate of
-      Escapes direction -> XYZ.distance direction (XYZ 0.43260127730495184 (-0.26621387449028123) 0.86138627102072909)
+      Escaped direction -> XYZ.distance direction (XYZ 0.43260127730495184 (-0.26621387449028123) 0.86138627102072909)
       _ -> notANumber
     first value path ray = case kerrPlanePoints path of
       point : _ -> value point ray

@@ -20,8 +20,7 @@ import BlackHole.Spacetime.LightPath
 import BlackHole.Spacetime.Observer
 import BlackHole.Spacetime.Photon
 import BlackHole.Spacetime.Schwarzschild.Leapfrog
-import BlackHole.Spacetime.Schwarzschild.Orbit (OrbitFate (Escapes), deflectionAngle, orbit, orbitFate)
-import qualified BlackHole.Spacetime.Schwarzschild.Orbit as Orbit
+import BlackHole.Spacetime.Schwarzschild.Orbit (deflectionAngle, orbit, orbitFate, orbitSweep)
 import BlackHole.Spacetime.Types (Spacetime (..))
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ
@@ -56,7 +55,7 @@ criticalChecks =
     coarse = threshold (capturedByLeapfrog 0.1)
     fine = threshold (capturedByLeapfrog 0.05)
     capturedExactly b = case orbitFate (orbit 30 (negate (sqrt (1 - b * b * (29 / 27000)))) (b / 30)) of
-      Orbit.Captured _ -> True
+      Captured -> True
       _ -> False
     capturedByLeapfrog l b = case pathEnd (EqualSteps l) b of
       Captured -> True
@@ -104,7 +103,7 @@ shadowAngleChecks =
         let Photon x v = photon
             radial = XYZ.dot x v / r
          in case orbitFate (orbit r radial (XYZ.norm (angularMomentum photon) / r)) of
-              Escapes _ -> False
+              Escaped _ -> False
               _ -> True
 
 -- | The integrator's order of convergence, and its conserved quantities.
@@ -188,7 +187,7 @@ aimedAt b = Photon (XYZ p 0 (sqrt (900 - p * p))) (XYZ 0 0 (negate speed))
 -- | The end of that photon's path by leapfrog. The path runs in the plane of the gas,
 -- where the rule of the design report (Will Yager, "Accurately Rendering a Black Hole")
 -- takes short steps.
-pathEnd :: StepRule -> Double -> Fate
+pathEnd :: StepRule -> Double -> Fate XYZ
 pathEnd rule b =
   followedFate (followLeapfrog settings Schwarzschild emptyRegion (aimedAt b) (\() _ -> Continue ()) ())
   where
@@ -204,10 +203,11 @@ walk rule b = takeWhile ((<= 31) . XYZ.norm . photonPosition) (iterate step star
 
 -- | The direction in which that photon escapes by the closed form.
 exactDirection :: Double -> Maybe XYZ
-exactDirection b = case orbitFate (orbit 30 (XYZ.dot x v / 30) (b / 30)) of
-  Escapes swept -> Just (XYZ (sin (alpha + swept)) 0 (cos (alpha + swept)))
+exactDirection b = case orbitFate path of
+  Escaped _ -> Just (XYZ (sin (alpha + orbitSweep path)) 0 (cos (alpha + orbitSweep path)))
   _ -> Nothing
   where
+    path = orbit 30 (XYZ.dot x v / 30) (b / 30)
     Photon x@(XYZ px _ pz) v = aimedAt b
     alpha = atan2 px pz
 

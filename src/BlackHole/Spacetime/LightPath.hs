@@ -5,7 +5,7 @@
 -- camera. After each segment the gathering function says whether it wants the next one.
 -- Every way to follow light has the type
 --
--- > Region -> Photon -> (a -> Stretch -> Onward a) -> a -> Followed a
+-- > Region -> Photon -> (a -> PathSegment -> Continue a) -> a -> Followed a
 module BlackHole.Spacetime.LightPath
   ( PathSegment (..),
     segmentLength,
@@ -49,7 +49,7 @@ data Continue a
 
 -- | The end of a path, the state gathered along it, and the number of steps taken.
 data Followed a = Followed
-  { followedFate :: !Fate,
+  { followedFate :: !(Fate XYZ),
     followedState :: !a,
     followedSteps :: !Int
   }
@@ -73,7 +73,7 @@ data Region = Region
     -- | Greatest length of one segment, as a fraction of the distance from the axis.
     regionLongestStep :: !Double,
     -- | The fraction of the half height within which 'regionVerticalStep' holds. Further
-    -- from the plane the segments of 'BlackHole.Spacetime.Schwarzschild.TablePath.followSwept' grow in
+    -- from the plane the segments of 'BlackHole.Spacetime.Schwarzschild.TablePath.followTable' grow in
     -- proportion to the height.
     regionCore :: !Double
   }

@@ -14,18 +14,20 @@ module BlackHole.Spacetime.PathReport
 where
 
 import BlackHole.Matter.Redshift (RedshiftParts (..), gasRedshift)
+import BlackHole.Spacetime.Fate
+import BlackHole.Spacetime.PathPlane (meetsDiskPlane)
 import BlackHole.Spacetime.Photon
 import BlackHole.Spacetime.Schwarzschild.Leapfrog
-import BlackHole.Spacetime.Schwarzschild.Orbit (OrbitFate (..))
 import BlackHole.Spacetime.Schwarzschild.Trajectory
 import BlackHole.Spacetime.Types (Spacetime (Schwarzschild))
+import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
 import qualified BlackHole.Vector.XYZ as XYZ
 
 -- | The report. Lengths are in Schwarzschild radii, angles in radians.
 data PathReport = PathReport
-  { -- | @captured@, @escaped@, @circles@ (critical to the last bit), or @step limit@.
-    reportFate :: !String,
+  { -- | In the plane of the path.
+    reportFate :: !(Fate XY),
     -- | For the leapfrog, the impact parameter of the last state.
     reportImpactParameter :: !(Maybe Double),
     -- | Angle swept from the start to infinity or to the horizon.
@@ -56,9 +58,9 @@ data PathPoint = PathPoint !Double !XYZ
 exactReport :: Double -> Trajectory -> PathReport
 exactReport drawn trajectory =
   PathReport
-    { reportFate = fate,
+    { reportFate = trajectoryFate trajectory,
       reportImpactParameter = Just (trajectoryImpactParameter trajectory),
-      reportSweptAngle = swept,
+      reportSweptAngle = if isInfinite (trajectorySweep trajectory) then Nothing else Just (trajectorySweep trajectory),
       reportDeflection = trajectoryDeflection trajectory,
       reportClosestApproach = trajectoryClosestApproach trajectory,
       reportCrossings = trajectoryCrossings trajectory,
@@ -70,10 +72,6 @@ exactReport drawn trajectory =
   where
     points = trajectoryPoints drawn 0.02 trajectory
     photons = map pointPhoton points
-    (fate, swept) = case trajectoryFate trajectory of
-      Escapes angle -> ("escaped", Just angle)
-      Captured angle -> ("captured", Just angle)
-      Circles -> ("circles", Nothing)
 
 driftOf :: (Photon -> Double) -> [Photon] -> Maybe Double
 driftOf quantity photons = case map quantity photons of
@@ -113,7 +111,7 @@ data Walk = Walk
 -- most twenty million steps of about 0.2 µs each.
 leapfrogReport :: StepRule -> Double -> Trajectory -> PathReport
 leapfrogReport rule farthest trajectory = case trajectoryEntry radius trajectory of
-  Nothing -> ended "step limit" Nothing (Walk 0 (Photon XYZ.zero XYZ.zero) 0 0 0 Nothing [] [])
+  Nothing -> ended StepLimit Nothing (Walk 0 (Photon XYZ.zero XYZ.zero) 0 0 0 Nothing [] [])
   Just (TrajectoryPoint swept photon) -> follow swept photon
   where
     radius = leapfrogStartRadius trajectory
@@ -129,11 +127,11 @@ leapfrogReport rule farthest trajectory = case trajectoryEntry radius trajectory
         !sky2 = radius * radius
         go !walk
           | XYZ.normSquared x > sky2 && XYZ.dot x v > 0 = escaped walk
-          | walkSteps walk >= stepLimit = ended "step limit" Nothing walk
+          | walkSteps walk >= stepLimit = ended StepLimit Nothing walk
           | XYZ.normSquared x' <= 1 && XYZ.dot x' v' < 0 =
             let atHorizon = hermite (bisectStep (\p -> XYZ.norm (photonPosition p) > 1))
                 swept = walkSwept walk + turned (photonPosition atHorizon)
-             in ended "captured" (Just swept) $
+             in ended Captured (Just swept) $
                   stepped {walkPath = PathPoint swept (photonPosition atHorizon) : walkPath walk}
           | otherwise = go stepped
           where
@@ -162,7 +160,7 @@ leapfrogReport rule farthest trajectory = case trajectoryEntry radius trajectory
                   walkPath = drawn (walkPath walk)
                 }
             crossing
-              | trajectoryMeetsPlane trajectory,
+              | meetsDiskPlane (trajectoryPlane trajectory),
                 height x * height x' < 0 || (height x /= 0 && height x' == 0) =
                 crossingAt (hermite (bisectStep (\p -> height (photonPosition p) * height x > 0)))
               | otherwise = Nothing
@@ -171,10 +169,11 @@ leapfrogReport rule farthest trajectory = case trajectoryEntry radius trajectory
               _ -> PathPoint swept' x' : path
         escaped walk =
           let rest = trajectoryFromPhoton (trajectoryObserved trajectory) (walkPhoton walk)
+              angle = walkSwept walk + trajectorySweep rest
               final = walk {walkCrossings = reverse (trajectoryCrossings rest) ++ walkCrossings walk}
            in case trajectoryFate rest of
-                Escapes angle -> ended "escaped" (Just (walkSwept walk + angle)) final
-                _ -> ended "step limit" Nothing final
+                Escaped _ -> ended (Escaped (XY (cos angle) (sin angle))) (Just angle) final
+                _ -> ended StepLimit Nothing final
     height (XYZ _ y _) = y
     crossingAt (Photon p v) = do
       RedshiftParts gravity doppler <- gasRedshift (trajectoryObserved trajectory) p (XYZ.negated v)
@@ -197,10 +196,12 @@ leapfrogReport rule farthest trajectory = case trajectoryEntry radius trajectory
           reportPath = reverse (filter (\(PathPoint _ p) -> XYZ.norm p <= drawnRadius) (walkPath walk))
         }
       where
-        escapedAngle = if fate == "escaped" then swept else Nothing
+        escapedAngle = case fate of
+          Escaped _ -> swept
+          _ -> Nothing
     -- The angle of a straight line, taken from the exact path.
     straightAngle = case trajectoryFate trajectory of
-      Escapes angle -> (angle -) <$> trajectoryDeflection trajectory
+      Escaped _ -> (trajectorySweep trajectory -) <$> trajectoryDeflection trajectory
       _ -> Nothing
 
 -- | The cubic through the ends of a step, at a fraction of the step.
@@ -257,7 +258,7 @@ reportDifference a b =
   where
     by field = (-) <$> field a <*> field b
     -- The angle to infinity and the angle to the horizon cannot be compared.
-    sameEnd value = if reportFate a == reportFate b then value else Nothing
+    sameEnd value = if (() <$ reportFate a) == (() <$ reportFate b) then value else Nothing
     crossing (Crossing r azimuth g) (Crossing r' azimuth' g') =
       Crossing (r - r') (wrapped (azimuth - azimuth')) (g - g')
     wrapped angle

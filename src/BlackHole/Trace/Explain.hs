@@ -69,7 +69,7 @@ data Arrival = Arrival
   { arrivalConstants :: !Constants,
     -- | The observer's frequency over the frequency at infinity.
     arrivalFrequency :: !Double,
-    arrivalFate :: !Fate,
+    arrivalFate :: !(Fate XYZ),
     arrivalCrossings :: ![PlaneCrossing],
     -- | Number of steps of the integrator.
     arrivalSteps :: !Int,
@@ -148,7 +148,7 @@ data Counted = Counted !Int !Gathered
 -- | The fate of a line of sight, the number of integrator steps, and the number of
 -- segments with gas, for the ray through this point of the picture as the renderer
 -- traces it.
-gatheredAlong :: Tracer -> XY -> SightLine -> (Fate, Int, Int)
+gatheredAlong :: Tracer -> XY -> SightLine -> (Fate XYZ, Int, Int)
 gatheredAlong traced point sight = case counted traced point sight of
   Followed fate (Counted samples _) steps -> (fate, steps, samples)
 

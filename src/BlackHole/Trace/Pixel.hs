@@ -263,7 +263,7 @@ seen traced shared point sight (Followed fate (Gathered light transmittance) _) 
 {-# INLINE seen #-}
 
 -- | 'tracedSky', given the sky behind the pixel where it is known.
-sharedSky :: Tracer -> Maybe SkyPatch -> XY -> SightLine -> Fate -> Radiance
+sharedSky :: Tracer -> Maybe SkyPatch -> XY -> SightLine -> Fate XYZ -> Radiance
 sharedSky traced shared point sight fate = case fate of
   Escaped direction | Just patch <- shared, Just sky <- patchRadiance patch point direction -> sky
   _ -> tracedSky traced point sight fate
@@ -331,16 +331,14 @@ tracedGas traced sight = case tracerMatter traced of
 
 -- | The radiance that the sky sends to the end of a line of sight through a point of
 -- the picture, without gas in between.
-tracedSky :: Tracer -> XY -> SightLine -> Fate -> Radiance
+tracedSky :: Tracer -> XY -> SightLine -> Fate XYZ -> Radiance
 tracedSky prepared point sight fate = case fate of
   Escaped direction ->
     let !shift = skyShift (tracerSkyShift traced) (sightFrequency sight)
      in case tracerSky traced of
           ByDirection shader -> shader shift direction
           ByDifferential shader -> maybe black (shader shift) (tracedDifferential traced point sight direction)
-  Captured -> black
-  Opaque -> black
-  StepLimit -> black
+  _ -> black
   where
     -- As in 'sharingRadiance'.
     traced = lazy prepared

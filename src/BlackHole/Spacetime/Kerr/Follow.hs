@@ -27,14 +27,8 @@ import BlackHole.Spacetime.March
 import BlackHole.Vector.XYZ (XYZ (..))
 
 -- | The fate of a ray with nothing in its way, from an observer at an azimuth.
-kerrEnd :: Spin -> Azimuth -> LightRay -> Fate
-kerrEnd hole azimuth ray = fateOf (kerrFate (kerrPath hole azimuth ray))
-
-fateOf :: KerrFate -> Fate
-fateOf fate = case fate of
-  Escapes direction -> Escaped direction
-  BlackHole.Spacetime.Kerr.Path.Captured -> BlackHole.Spacetime.Fate.Captured
-  Circles -> StepLimit
+kerrEnd :: Spin -> Azimuth -> LightRay -> Fate XYZ
+kerrEnd hole azimuth ray = kerrFate (kerrPath hole azimuth ray)
 
 -- | Follow a ray from an observer at an azimuth to its end and hand out the segments that lie in a region. The phase,
 -- 0 to 1, is the fraction of a whole step that the first segment of a passage is long:
@@ -46,7 +40,7 @@ followKerr hole region phase azimuth ray gather initial
   where
     !reach = enclosingRadius region
     path = kerrPath hole azimuth ray
-    finish !n state = Followed (fateOf (kerrFate path)) state n
+    finish !n state = Followed (kerrFate path) state n
     !a = spinLength hole
     !a2 = a * a
     !lambda = rayLambda ray

@@ -10,6 +10,7 @@ module BlackHole.Spacetime.Kerr.PathReport
 where
 
 import BlackHole.Numeric.Bisection (bisect)
+import BlackHole.Spacetime.Fate
 import BlackHole.Spacetime.Kerr.GasFlow
 import BlackHole.Spacetime.Kerr.Landmarks
 import BlackHole.Spacetime.Kerr.Path
@@ -18,7 +19,7 @@ import BlackHole.Vector.XYZ (XYZ (..))
 
 -- | One light path. Lengths are in Schwarzschild radii, angles in radians.
 data KerrReport = KerrReport
-  { kerrReportFate :: !KerrFate,
+  { kerrReportFate :: !(Fate XYZ),
     -- | λ, the angular momentum about the axis over the energy.
     kerrReportLambda :: !Double,
     -- | Carter's constant over the squared energy.
@@ -80,9 +81,9 @@ kerrReport hole drawn ray =
     -- Where the path leaves the drawn sphere, if it escapes; a path that ends at the
     -- horizon stops just short of it, for the azimuth winds up there.
     end = case kerrFate path of
-      Escapes _ -> lastBelow limit (kerrMinoTime path)
+      Escaped _ -> lastBelow limit (kerrMinoTime path)
       Captured -> kerrMinoTime path * (1 - 1e-9)
-      Circles -> 20
+      _ -> 20
     -- Outwards at the end, so that the radius grows beyond some time for good.
     lastBelow radius = bisect (\t -> let point = kerrPoint path t in not (pointGrows point) || pointRadius point < radius) 0
 

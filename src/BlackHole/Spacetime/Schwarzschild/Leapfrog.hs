@@ -31,11 +31,12 @@ where
 import BlackHole.Spacetime.Fate (Fate (..))
 import BlackHole.Spacetime.LightPath
 import BlackHole.Spacetime.March (enclosingRadius)
+import BlackHole.Spacetime.PathPlane
 import BlackHole.Spacetime.Photon
 import BlackHole.Spacetime.Types (Spacetime, pullOfGravity)
-import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^), (^-^))
+import BlackHole.Vector.XY (XY (..))
+import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
 import qualified BlackHole.Vector.XYZ as XYZ
-import Data.Maybe (fromMaybe)
 
 -- | The rule for the length of the next step, in Schwarzschild radii of pseudo-space.
 data StepRule
@@ -159,9 +160,9 @@ followThree leapfrog@(Leapfrog rule skyRadius limit) spacetime region (photon0, 
     InPlane a00 b00 u00 v00 = startInPlane photon0
     InPlane a10 b10 u10 v10 = startInPlane photon1
     InPlane a20 b20 u20 v20 = startInPlane photon2
-    !plane0@(Plane _ _ heightA0 heightB0 pull0) = orbitalPlane spacetime photon0
-    !plane1@(Plane _ _ heightA1 heightB1 pull1) = orbitalPlane spacetime photon1
-    !plane2@(Plane _ _ heightA2 heightB2 pull2) = orbitalPlane spacetime photon2
+    !plane0@(Plane _ heightA0 heightB0 pull0) = orbitalPlane spacetime photon0
+    !plane1@(Plane _ heightA1 heightB1 pull1) = orbitalPlane spacetime photon1
+    !plane2@(Plane _ heightA2 heightB2 pull2) = orbitalPlane spacetime photon2
     !sky2 = skyRadius * skyRadius
     -- Above this height, half a step does not reach the gas.
     !clear = tallestHeight region + longestNearGas rule region
@@ -205,12 +206,12 @@ followThree leapfrog@(Leapfrog rule skyRadius limit) spacetime region (photon0, 
             start0 = InPlane a0 b0 u0 v0
             start1 = InPlane a1 b1 u1 v1
             start2 = InPlane a2 b2 u2 v2
-            middle0 = Middle ma0 mb0
-            middle1 = Middle ma1 mb1
-            middle2 = Middle ma2 mb2
-            after0 = Middle u0' v0'
-            after1 = Middle u1' v1'
-            after2 = Middle u2' v2'
+            middle0 = XY ma0 mb0
+            middle1 = XY ma1 mb1
+            middle2 = XY ma2 mb2
+            after0 = XY u0' v0'
+            after1 = XY u1' v1'
+            after2 = XY u2' v2'
             onward =
               loop
                 (n + 1)
@@ -232,28 +233,25 @@ followThree leapfrog@(Leapfrog rule skyRadius limit) spacetime region (photon0, 
                 followAlone leapfrog region plane2 gather2 n start2 s2
               )
     {-# INLINE begin #-}
-    meet plane gather dt start middle after state
+    meet (Plane plane _ _ _) gather dt start middle after state
       | insideRegion region place = gather state (segmentInPlane plane dt place start after)
       | otherwise = Continue state
       where
         place = inSpace plane middle
 
--- | The plane of a path: two orthogonal unit vectors, the first from the hole to the
--- start; their heights above the disk's plane; and @−(3\/2) h²@.
+-- | The plane of a path, the heights of its unit vectors above the disk's plane, and
+-- @−(3\/2) h²@.
 data Plane
   = Plane
-      !XYZ
-      !XYZ
+      !PathPlane
       {-# UNPACK #-} !Double
       {-# UNPACK #-} !Double
       {-# UNPACK #-} !Double
 
 orbitalPlane :: Spacetime -> Photon -> Plane
-orbitalPlane spacetime photon@(Photon x v) =
-  Plane e1 e2 height1 height2 (negate (pullOfGravity spacetime * XYZ.normSquared (angularMomentum photon)))
+orbitalPlane spacetime photon = Plane plane height1 height2 (negate (pullOfGravity spacetime * XYZ.normSquared (angularMomentum photon)))
   where
-    !e1@(XYZ _ height1 _) = fromMaybe (XYZ 1 0 0) (XYZ.normalize x)
-    !e2@(XYZ _ height2 _) = fromMaybe (XYZ.perpendicular e1) (XYZ.normalize (v ^-^ XYZ.dot v e1 *^ e1))
+    !plane@(PathPlane (XYZ _ height1 _) (XYZ _ height2 _)) = launchPlane (launch (XYZ.norm (photonPosition photon)) photon)
 
 -- | Position and velocity in the plane's own coordinates.
 data InPlane
@@ -264,20 +262,14 @@ data InPlane
       {-# UNPACK #-} !Double
 
 startInPlane :: Photon -> InPlane
-startInPlane (Photon x v) = InPlane (XYZ.norm x) 0 radial (sqrt (max 0 (XYZ.normSquared v - radial * radial)))
+startInPlane photon = InPlane r 0 radial tangential
   where
-    radial = XYZ.dot v x / XYZ.norm x
+    r = XYZ.norm (photonPosition photon)
+    Launch _ radial tangential = launch r photon
 
--- | A vector in the plane's own coordinates.
-data Middle = Middle {-# UNPACK #-} !Double {-# UNPACK #-} !Double
-
-inSpace :: Plane -> Middle -> XYZ
-inSpace (Plane e1 e2 _ _ _) (Middle a b) = a *^ e1 ^+^ b *^ e2
-{-# INLINE inSpace #-}
-
-segmentInPlane :: Plane -> Double -> XYZ -> InPlane -> Middle -> PathSegment
-segmentInPlane plane dt place (InPlane _ _ u v) (Middle u' v') =
-  PathSegment place (inSpace plane (Middle (0.5 * (u + u')) (0.5 * (v + v')))) dt
+segmentInPlane :: PathPlane -> Double -> XYZ -> InPlane -> XY -> PathSegment
+segmentInPlane plane dt place (InPlane _ _ u v) (XY u' v') =
+  PathSegment place (inSpace plane (XY (0.5 * (u + u')) (0.5 * (v + v')))) dt
 {-# INLINE segmentInPlane #-}
 
 -- | The pseudo-time of a step, from the rule, the squared distance to the hole, the
@@ -320,7 +312,7 @@ followAlone ::
   InPlane ->
   a ->
   Followed a
-followAlone (Leapfrog rule skyRadius limit) region plane@(Plane _ _ heightA heightB pull) gather first (InPlane a0 b0 u0 v0) state0 =
+followAlone (Leapfrog rule skyRadius limit) region (Plane plane heightA heightB pull) gather first (InPlane a0 b0 u0 v0) state0 =
   withStepLength rule $ \lengthAt -> begin lengthAt
   where
     !sky2 = skyRadius * skyRadius
@@ -332,7 +324,7 @@ followAlone (Leapfrog rule skyRadius limit) region plane@(Plane _ _ heightA heig
           | r2 > sky2 && a * u + b * v > 0 = escaped
           | n >= limit = Followed StepLimit state n
           | abs y <= tallest && insideRegion region place =
-            case gather state (segmentInPlane plane dt place (InPlane a b u v) (Middle u' v')) of
+            case gather state (segmentInPlane plane dt place (InPlane a b u v) (XY u' v')) of
               Continue state' -> go (n + 1) a' b' u' v' state'
               Stop state' -> Followed Opaque state' (n + 1)
           | otherwise = go (n + 1) a' b' u' v' state
@@ -347,8 +339,8 @@ followAlone (Leapfrog rule skyRadius limit) region plane@(Plane _ _ heightA heig
             !a' = ma + 0.5 * dt * u'
             !b' = mb + 0.5 * dt * v'
             !y = heightA * ma + heightB * mb
-            place = inSpace plane (Middle ma mb)
-            escaped = case XYZ.normalize (inSpace plane (Middle u v)) of
+            place = inSpace plane (XY ma mb)
+            escaped = case XYZ.normalize (inSpace plane (XY u v)) of
               Just direction -> Followed (Escaped direction) state n
               -- Reached only by a photon that never had a direction.
               Nothing -> Followed StepLimit state n

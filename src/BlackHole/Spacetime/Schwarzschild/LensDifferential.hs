@@ -9,6 +9,7 @@ module BlackHole.Spacetime.Schwarzschild.LensDifferential
   )
 where
 
+import BlackHole.Spacetime.PathPlane
 import BlackHole.Spacetime.Photon
 import BlackHole.Spacetime.Schwarzschild.LensTable
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^), (^-^))
@@ -19,7 +20,7 @@ import qualified BlackHole.Vector.XYZ as XYZ
 -- at the same position. The result is a vector tangent to the celestial sphere at
 -- @direction@. The neighbour's path turns within its plane by the derivative of the
 -- swept angle ('lensSlope'), and its plane differs. 'Nothing' if the photon does not
--- escape, moves radially, or is too close to the critical path.
+-- escape or is too close to the critical path.
 lensChange :: LensTable -> Photon -> XYZ -> Photon -> Maybe XYZ
 lensChange table photon direction neighbour =
   (\(LensChanges change _) -> change) <$> lensChanges table photon direction neighbour neighbour
@@ -32,9 +33,8 @@ data LensChanges
 
 -- | 'lensChange' towards two neighbours at once, in less than twice the time.
 lensChanges :: LensTable -> Photon -> XYZ -> Photon -> Photon -> Maybe LensChanges
-lensChanges table (Photon place velocity) direction (Photon _ velocity1) (Photon _ velocity2)
-  | not (r > 0 && tangential > 0) = Nothing
-  | otherwise = case lensSlope table radial tangential of
+lensChanges table photon direction (Photon _ velocity1) (Photon _ velocity2) =
+  case lensSlope table radial tangential of
     Nothing -> Nothing
     Just !slope ->
       let !offset = lensOffset table radial tangential
@@ -52,11 +52,6 @@ lensChanges table (Photon place velocity) direction (Photon _ velocity1) (Photon
             Just change1 | Just change2 <- towards velocity2 -> Just (LensChanges change1 change2)
             _ -> Nothing
   where
-    !r = XYZ.norm place
-    !e1 = (1 / r) *^ place
-    !radial = XYZ.dot velocity e1
-    !across = velocity ^-^ radial *^ e1
-    !tangential = XYZ.norm across
-    !e2 = (1 / tangential) *^ across
+    !(Launch (PathPlane e1 e2) radial tangential) = launch (lensTableRadius table) photon
     !e3 = XYZ.cross e1 e2
     !sine = XYZ.dot direction e2

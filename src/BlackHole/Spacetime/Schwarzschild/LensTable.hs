@@ -24,16 +24,18 @@ module BlackHole.Spacetime.Schwarzschild.LensTable
     lensTableRadius,
     lensTableSize,
     lensSeries,
-    lensEnd,
+    lensFate,
     lensSlope,
     lensOffset,
   )
 where
 
 import BlackHole.Numeric.Parallel (inParallel)
+import BlackHole.Spacetime.Fate
 import BlackHole.Spacetime.Schwarzschild.Orbit
 import BlackHole.Spacetime.Schwarzschild.OrbitSeries
 import BlackHole.Spacetime.Schwarzschild.Radii (criticalImpactParameter)
+import BlackHole.Vector.XY (XY (..))
 import Control.Monad (when)
 import Control.Monad.ST (ST)
 import Data.Bits (unsafeShiftL, unsafeShiftR, (.&.))
@@ -231,10 +233,9 @@ blockNumbers family b = runPrimArray $ do
         put (headSize + 2 * j) u0 u1 u2
         put (headSize + 2 * j + 1) (slope0 * d0) (slope1 * d1) (slope2 * d2)
     angleOf (Member sign path) = sign * seriesAngle (orbitSeries path)
-    leaving series = case seriesEnd series of
-      Leaves c s -> (c, s)
-      FallsIn -> (0, 0)
-      CirclesOn -> (0, 0)
+    leaving series = case seriesFate series of
+      Escaped (XY c s) -> (c, s)
+      _ -> (0, 0)
     -- In units of an interval. The error of the cubic far exceeds that of this
     -- difference.
     apart = 0.01
@@ -300,23 +301,23 @@ lensSeries table !radial !tangential = case find table radial tangential of
         weights@(Weights v0 d0 v1 d1) = weightsAt t
         at = mixed numbers weights row row'
         end
-          | falling = FallsIn
-          | otherwise = Leaves (at 1) (at 2)
+          | falling = Captured
+          | otherwise = Escaped (XY (at 1) (at 2))
      in OrbitSeries end (max 0 (at 0)) cells (BetweenRows numbers (row + 2 * headSize) (row' + 2 * headSize) v0 d0 v1 d1)
   where
     numbers = tableNumbers table
 {-# INLINE lensSeries #-}
 
--- | The end of the path that 'lensSeries' returns, without the path.
-lensEnd :: LensTable -> Double -> Double -> SeriesEnd
-lensEnd table !radial !tangential = case find table radial tangential of
-  Beyond -> seriesEnd (closedForm table radial tangential)
+-- | The fate of the path that 'lensSeries' returns, without the path.
+lensFate :: LensTable -> Double -> Double -> Fate XY
+lensFate table !radial !tangential = case find table radial tangential of
+  Beyond -> seriesFate (closedForm table radial tangential)
   Between row cells t _ falling
-    | falling -> FallsIn
+    | falling -> Captured
     | otherwise ->
       let at = mixed (tableNumbers table) (weightsAt t) row (row + rowSize cells)
-       in Leaves (at 1) (at 2)
-{-# INLINE lensEnd #-}
+       in Escaped (XY (at 1) (at 2))
+{-# INLINE lensFate #-}
 
 closedForm :: LensTable -> Double -> Double -> OrbitSeries
 closedForm table radial tangential = orbitSeries (orbit (lensTableRadius table) radial tangential)

@@ -28,8 +28,8 @@ module BlackHole.Spacetime.Schwarzschild.Orbit
     orbitInverseRadiusAndSlope,
 
     -- * Their properties
-    OrbitFate (..),
     orbitFate,
+    orbitSweep,
     TurningPoint (..),
     orbitTurningPoint,
     orbitClosestApproach,
@@ -43,15 +43,21 @@ module BlackHole.Spacetime.Schwarzschild.Orbit
 where
 
 import BlackHole.Numeric.Elliptic
+import BlackHole.Spacetime.Fate
 import BlackHole.Spacetime.Schwarzschild.Radii (criticalImpactParameter, photonSphereRadius)
+import BlackHole.Vector.XY (XY (..))
 
 -- | The path of one photon from its start onwards.
 data Orbit = Orbit
   { -- | @1\/b²@ in the orbit equation @(du\/dφ)² = 1\/b² − u² + u³@. Infinite for a
     -- radial photon.
     orbitInvariant :: {-# UNPACK #-} !Double,
-    -- | Where the path ends.
-    orbitFate :: !OrbitFate,
+    -- | How the path ends: at infinity, at the horizon, or never, for a photon that
+    -- approaches the photon sphere or circles on it.
+    orbitFate :: !(Fate XY),
+    -- | The angle in radians that the path sweeps from its start to its end: infinite for
+    -- one that never ends, 0 for a photon that starts inside the horizon and moves inward.
+    orbitSweep :: {-# UNPACK #-} !Double,
     -- | Where the photon, /after/ its start, turns from inward to outward or from
     -- outward to inward. A photon turns at most once. A start exactly at such a point
     -- counts, with the angle 0.
@@ -64,17 +70,15 @@ data Orbit = Orbit
     orbitPath :: !Path
   }
 
--- | The end of a photon's path. Swept angles are in radians from the start.
-data OrbitFate
-  = -- | The photon goes to infinity; the angle swept up to there.
-    Escapes {-# UNPACK #-} !Double
-  | -- | The photon falls through the horizon; the angle swept when it crosses @r = 1@
-    -- inward. The angle is 0 for a photon that starts inside and moves inward.
-    Captured {-# UNPACK #-} !Double
-  | -- | The photon approaches the photon sphere for ever, or circles on it. This
-    -- happens only for a start that is critical to the last bit.
-    Circles
-  deriving (Eq, Show)
+-- | The fate of a path and the angle that it sweeps.
+data End = End !(Fate XY) {-# UNPACK #-} !Double
+
+escapesAfter, capturedAfter :: Double -> End
+escapesAfter angle = End (Escaped (XY (cos angle) (sin angle))) angle
+capturedAfter = End Captured
+
+endless :: End
+endless = End Circles (1 / 0)
 
 -- | The closest or farthest point of a path.
 data TurningPoint = TurningPoint
@@ -172,7 +176,8 @@ radialOrbit :: Double -> Double -> Orbit
 radialOrbit u0 vr =
   Orbit
     { orbitInvariant = 1 / 0,
-      orbitFate = if vr > 0 then Escapes 0 else Captured 0,
+      orbitFate = if vr > 0 then Escaped (XY 1 0) else Captured,
+      orbitSweep = 0,
       orbitTurningPoint = Nothing,
       orbitLastAngle = 0,
       orbitExcess = -1 / 0,
@@ -184,6 +189,7 @@ circularOrbit u0 invariant =
   Orbit
     { orbitInvariant = invariant,
       orbitFate = Circles,
+      orbitSweep = 1 / 0,
       orbitTurningPoint = Nothing,
       orbitLastAngle = 1 / 0,
       orbitExcess = 0,
@@ -246,6 +252,7 @@ outsideOrbit (Start u0 epsilon slope invariant excess) =
   Orbit
     { orbitInvariant = invariant,
       orbitFate = fate,
+      orbitSweep = sweep,
       orbitTurningPoint = turning,
       orbitLastAngle = (if inward then 2 * k - phase else phase) / rate,
       orbitExcess = excess,
@@ -268,10 +275,10 @@ outsideOrbit (Start u0 epsilon slope invariant excess) =
         (u0 - u1)
         (slope * slope / ((u0 - u1) * (rootHighGap rt - epsilon)))
     phaseAtInfinity = firstQuadrantF m1 (-u1) (rootMiddle rt)
-    fate
-      | not inward = Escapes ((phase - phaseAtInfinity) / rate)
-      | m1 <= 0 = Circles
-      | otherwise = Escapes ((2 * k - phaseAtInfinity - phase) / rate)
+    End fate sweep
+      | not inward = escapesAfter ((phase - phaseAtInfinity) / rate)
+      | m1 <= 0 = endless
+      | otherwise = escapesAfter ((2 * k - phaseAtInfinity - phase) / rate)
     turning
       | inward && m1 > 0 =
         Just $! TurningPoint (max 0 ((k - phase) / rate)) (1 / rootMiddle rt)
@@ -284,6 +291,7 @@ insideOrbit (Start u0 epsilon slope invariant excess) =
   Orbit
     { orbitInvariant = invariant,
       orbitFate = fate,
+      orbitSweep = sweep,
       orbitTurningPoint = turning,
       orbitLastAngle = (if inward then phase else 2 * k - phase) / rate,
       orbitExcess = excess,
@@ -304,10 +312,10 @@ insideOrbit (Start u0 epsilon slope invariant excess) =
         (rootFullSpan rt)
         (slope * slope / ((u0 - u1) * (epsilon + rootMiddleGap rt)))
     phaseAtHorizon = firstQuadrantF m1 (rootFullSpan rt) (rootHorizonGap rt)
-    fate
-      | inward = Captured (max 0 ((phase - phaseAtHorizon) / rate))
-      | m1 <= 0 = Circles
-      | otherwise = Captured ((2 * k - phaseAtHorizon - phase) / rate)
+    End fate sweep
+      | inward = capturedAfter (max 0 ((phase - phaseAtHorizon) / rate))
+      | m1 <= 0 = endless
+      | otherwise = capturedAfter ((2 * k - phaseAtHorizon - phase) / rate)
     turning
       | not inward && m1 > 0 =
         Just $! TurningPoint (max 0 ((k - phase) / rate)) (1 / rootHigh rt)
@@ -319,6 +327,7 @@ plungingOrbit (Start u0 epsilon slope invariant excess) =
   Orbit
     { orbitInvariant = invariant,
       orbitFate = fate,
+      orbitSweep = sweep,
       orbitTurningPoint = Nothing,
       orbitLastAngle = (if inward then 2 * k - phase else phase) / rate,
       orbitExcess = excess,
@@ -361,10 +370,10 @@ plungingOrbit (Start u0 epsilon slope invariant excess) =
     -- 1/b.
     refined target angle = angle + (target - inverseRadiusOn path angle) / endSlope
     endSlope = if inward then sqrt invariant else -(sqrt invariant)
-    fate
-      | inward && u0 >= 1 = Captured 0
-      | inward = Captured (max 0 (refined 1 ((phaseOf (1 - u1) (1 / 3) - phase) / rate)))
-      | otherwise = Escapes (refined 0 ((phase - phaseOf (-u1) (-2 / 3)) / rate))
+    End fate sweep
+      | inward && u0 >= 1 = capturedAfter 0
+      | inward = capturedAfter (max 0 (refined 1 ((phaseOf (1 - u1) (1 / 3) - phase) / rate)))
+      | otherwise = escapesAfter (refined 0 ((phase - phaseOf (-u1) (-2 / 3)) / rate))
 
 -- | The inverse radius @u = 1\/r@ after the photon has swept an angle in radians, at
 -- least 0. Angles beyond the end of the path are safe: from the angle of escape on the

@@ -14,16 +14,14 @@ module BlackHole.Spacetime.Schwarzschild.TablePath
   )
 where
 
-import BlackHole.Numeric.Angle (arcTangent2)
 import BlackHole.Spacetime.Fate
 import BlackHole.Spacetime.LightPath
+import BlackHole.Spacetime.PathPlane
 import BlackHole.Spacetime.Photon
 import BlackHole.Spacetime.Schwarzschild.LensTable
 import BlackHole.Spacetime.Schwarzschild.OrbitSeries
 import BlackHole.Spacetime.Types (Spacetime (..), pullOfGravity)
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^), (^-^))
-import qualified BlackHole.Vector.XYZ as XYZ
-import Data.Maybe (fromMaybe)
 
 -- | The path of a photon of unit energy, by its radial and tangential velocity, from
 -- the table of its starting point; a straight line without gravity.
@@ -50,17 +48,14 @@ followTable ::
   Followed a
 followTable space table region phase photon gather = start
   where
-    !(Launch e1 e2 radial tangential) = launch table photon
     !r0 = lensTableRadius table
+    !(Launch plane@(PathPlane e1 e2) radial tangential) = launch r0 photon
     !b = r0 * tangential
-    !(OrbitSeries ending lastAngle cellCount waypoints) = seriesOf space table radial tangential
+    !(OrbitSeries fate lastAngle cellCount waypoints) = seriesOf space table radial tangential
     !spacing = lastAngle / fromIntegral cellCount
     !pull = pullOfGravity space
 
-    end !n state = case ending of
-      Leaves c s -> Followed (Escaped (c *^ e1 ^+^ s *^ e2)) state n
-      FallsIn -> Followed Captured state n
-      CirclesOn -> Followed StepLimit state n
+    end !n state = Followed (inSpace plane <$> fate) state n
 
     -- The sine of the latitude along the path is sine1 cos φ + sine2 sin φ.
     !(XYZ _ sine1 _) = e1
@@ -79,11 +74,8 @@ followTable space table region phase photon gather = start
       | height < 0 || regionRadius region <= 0 = end 0 state
       -- The path stays as close to the plane as the gas does.
       | steepestAll >= tilt = cells 0 phase 0 lastAngle (1 / 0) state
-      | otherwise = crossing 0 (if firstCrossing - pi + widest < 0 then firstCrossing else firstCrossing - pi) state
-
-    firstCrossing =
-      let angle = negate (arcTangent2 sine1 sine2)
-       in if angle <= 0 then angle + pi else angle
+      -- A crossing before the start may reach to the start.
+      | otherwise = let first = firstCrossing plane in crossing 0 (if first - pi + widest < 0 then first else first - pi) state
 
     crossing !n !angle !state
       | angle - widest > lastAngle = end n state
@@ -225,44 +217,17 @@ followTable space table region phase photon gather = start
 {-# INLINE followTable #-}
 
 -- | The fate of the path that 'followTable' follows, if nothing is in the way.
-tableFate :: Spacetime -> LensTable -> Photon -> Fate
-tableFate space table photon = case end of
-  Leaves c s -> Escaped (c *^ e1 ^+^ s *^ e2)
-  FallsIn -> Captured
-  CirclesOn -> StepLimit
+tableFate :: Spacetime -> LensTable -> Photon -> Fate XYZ
+tableFate space table photon = case space of
+  Flat -> inSpace plane <$> seriesFate (seriesOf Flat table radial tangential)
+  _ -> inSpace plane <$> lensFate table radial tangential
   where
-    !(Launch e1 e2 radial tangential) = launch table photon
-    end = case space of
-      Flat -> seriesEnd (seriesOf Flat table radial tangential)
-      _ -> lensEnd table radial tangential
+    !(Launch plane radial tangential) = launch (lensTableRadius table) photon
 
 -- | The 'lensOffset' of a photon of unit energy at the table's radius.
 criticalOffset :: LensTable -> Photon -> Double
-criticalOffset table photon = case launch table photon of
-  Launch _ _ radial tangential -> lensOffset table radial tangential
-
--- | The start of a photon: unit vectors outwards and onwards, which span its plane, and
--- its velocity along them.
-data Launch
-  = Launch
-      {-# UNPACK #-} !XYZ
-      {-# UNPACK #-} !XYZ
-      {-# UNPACK #-} !Double
-      {-# UNPACK #-} !Double
-
--- | The 'Launch' of a photon at the table's radius. A photon that moves straight
--- towards the hole or away from it sweeps no angle, so its neighbour within 1e-9
--- radians, in an arbitrary plane, replaces it.
-launch :: LensTable -> Photon -> Launch
-launch table (Photon place velocity)
-  | across2 > 1e-18 * XYZ.normSquared velocity = let t = sqrt across2 in Launch e1 ((1 / t) *^ across) radial t
-  | otherwise = Launch e1 (fromMaybe (XYZ.perpendicular e1) (XYZ.normalize across)) radial (1e-9 * XYZ.norm velocity)
-  where
-    !e1 = (1 / lensTableRadius table) *^ place
-    !radial = XYZ.dot velocity e1
-    !across = velocity ^-^ radial *^ e1
-    !across2 = XYZ.normSquared across
-{-# INLINE launch #-}
+criticalOffset table photon = case launch (lensTableRadius table) photon of
+  Launch _ radial tangential -> lensOffset table radial tangential
 
 -- | The arc sine on [0, 1]. Most arguments are small.
 arcSine :: Double -> Double

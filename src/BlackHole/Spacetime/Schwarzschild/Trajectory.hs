@@ -14,7 +14,9 @@ module BlackHole.Spacetime.Schwarzschild.Trajectory
     trajectoryFromTable,
     trajectoryFromPhoton,
     Sight (..),
+    trajectoryPlane,
     trajectoryFate,
+    trajectorySweep,
     trajectoryImpactParameter,
     trajectoryClosestApproach,
     trajectoryDeflection,
@@ -30,7 +32,6 @@ module BlackHole.Spacetime.Schwarzschild.Trajectory
     Crossing (..),
     trajectoryPlanePoints,
     trajectoryCrossings,
-    trajectoryMeetsPlane,
     planeAzimuth,
   )
 where
@@ -38,24 +39,25 @@ where
 import BlackHole.Matter.Redshift
 import BlackHole.Numeric.Angle
 import BlackHole.Numeric.Bisection (bisect)
+import BlackHole.Spacetime.Fate
+import BlackHole.Spacetime.PathPlane
 import BlackHole.Spacetime.Photon
 import BlackHole.Spacetime.Schwarzschild.LensTable (lensSeries, lensTable)
 import BlackHole.Spacetime.Schwarzschild.Orbit
 import BlackHole.Spacetime.Schwarzschild.OrbitSeries
 import BlackHole.Spacetime.Types (Spacetime (Schwarzschild), pullOfGravity)
-import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^), (^-^))
+import BlackHole.Vector.XY (XY (..))
+import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
 import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Maybe (fromMaybe, mapMaybe)
 
 -- | A light path from its start to its end.
 data Trajectory = Trajectory
-  { -- | e₁, of unit length.
-    trajectoryOutset :: !XYZ,
-    -- | e₂, of unit length and perpendicular to e₁.
-    trajectoryOnward :: !XYZ,
-    -- | Where the path ends, and the angle in radians swept from the start to infinity
-    -- or to the horizon.
-    trajectoryFate :: !OrbitFate,
+  { trajectoryPlane :: !PathPlane,
+    trajectoryFate :: !(Fate XY),
+    -- | The angle in radians swept from the start to infinity or to the horizon; infinite
+    -- for a path without end.
+    trajectorySweep :: !Double,
     -- | In Schwarzschild radii; 0 for a radial path, which sweeps no angle.
     trajectoryImpactParameter :: !Double,
     -- | Radius at which the path turns from inward to outward; 'Nothing' if it never
@@ -87,11 +89,11 @@ data Sight = Sight
   }
   deriving (Eq, Show)
 
--- | e₁ and e₂ of a line of sight. Rounding errors of right angles are removed, so that
+-- | The plane of a line of sight. Rounding errors of right angles are removed, so that
 -- an observer in the disk's plane is exactly in it.
-sightPlane :: Sight -> (XYZ, XYZ)
+sightPlane :: Sight -> PathPlane
 sightPlane (Sight (Radians i) (Radians eta)) =
-  (XYZ 0 (cosine i) (sine i), cosine eta *^ right ^+^ sine eta *^ up)
+  PathPlane (XYZ 0 (cosine i) (sine i)) (cosine eta *^ right ^+^ sine eta *^ up)
   where
     right = XYZ 1 0 0
     up = XYZ 0 (sine i) (negate (cosine i))
@@ -113,35 +115,33 @@ trajectoryFromInfinity sight b = case (closestApproach b, deflectionAngle b) of
   (Just nearest, Just deflection) ->
     -- The path is symmetric about its closest point.
     let half = orbit nearest 0 1
-        series = pi + deflection
+        swept = pi + deflection
         inverse angle =
-          let past = angle - 0.5 * series
+          let past = angle - 0.5 * swept
               (u, slope) = orbitInverseRadiusAndSlope half (abs past)
            in (u, signum past * slope)
      in laidOut
-          { trajectoryFate = Escapes series,
+          { trajectoryFate = escapesAfter swept,
+            trajectorySweep = swept,
             trajectoryClosestApproach = Just nearest,
             trajectoryDeflection = Just deflection,
-            trajectoryTurn = Just (0.5 * series),
+            trajectoryTurn = Just (0.5 * swept),
             trajectoryInverse = inverse
           }
   _ ->
     -- Run backwards from the horizon, where the slope is exactly 1/b.
     let outgoing = orbit 1 1 (min b 2.598076211353314)
-        series = case orbitFate outgoing of
-          Escapes angle -> angle
-          _ -> 0
+        swept = orbitSweep outgoing
         inverse angle =
-          let (u, slope) = orbitInverseRadiusAndSlope outgoing (max 0 (series - angle))
+          let (u, slope) = orbitInverseRadiusAndSlope outgoing (max 0 (swept - angle))
            in (u, negate slope)
-     in laidOut {trajectoryFate = Captured series, trajectoryInverse = inverse}
+     in laidOut {trajectoryFate = Captured, trajectorySweep = swept, trajectoryInverse = inverse}
   where
-    (e1, e2) = sightPlane sight
     laidOut =
       Trajectory
-        { trajectoryOutset = e1,
-          trajectoryOnward = e2,
+        { trajectoryPlane = sightPlane sight,
           trajectoryFate = Circles,
+          trajectorySweep = 1 / 0,
           trajectoryImpactParameter = if b < 1e-150 then 0 else b,
           trajectoryClosestApproach = Nothing,
           trajectoryDeflection = Nothing,
@@ -151,7 +151,11 @@ trajectoryFromInfinity sight b = case (closestApproach b, deflectionAngle b) of
           trajectoryInverse = const (0, 0)
         }
 
--- | @courseFromCamera sight r ψ@ is the line of sight of an observer at rest at radius
+-- | The fate of a path that escapes after this swept angle.
+escapesAfter :: Double -> Fate XY
+escapesAfter angle = Escaped (XY (cos angle) (sin angle))
+
+-- | @trajectoryFromCamera sight r ψ@ is the line of sight of an observer at rest at radius
 -- @r@, at the angle ψ in [0, π] from the direction of the hole's centre. 'Nothing' at
 -- and inside the horizon.
 trajectoryFromCamera :: Sight -> Double -> Radians -> Maybe Trajectory
@@ -167,7 +171,7 @@ trajectoryFromTable :: Sight -> Double -> Radians -> Maybe Trajectory
 trajectoryFromTable sight r (Radians psi) = do
   closed <- trajectoryFromCamera sight r (Radians psi)
   let lapse = sqrt ((r - 1) / r)
-      OrbitSeries ending angle cells waypoints = lensSeries (lensTable r) (negate (cos psi)) (sin (min psi (pi - psi)) / lapse)
+      OrbitSeries fate angle cells waypoints = lensSeries (lensTable r) (negate (cos psi)) (sin (min psi (pi - psi)) / lapse)
       spacing = angle / fromIntegral cells
       inverse at =
         let cell = max 0 (min (cells - 1) (floor (at / spacing)))
@@ -176,8 +180,8 @@ trajectoryFromTable sight r (Radians psi) = do
             offset = at - (fromIntegral cell + 0.5) * spacing
          in (expansionValue path offset, expansionSlope path offset)
       -- The renderer takes the direction from its sine and cosine.
-      swept = case ending of
-        Leaves c s -> let off = atan2 s c - angle in angle + off - 2 * pi * fromIntegral (round (off / (2 * pi)) :: Int)
+      swept = case fate of
+        Escaped (XY c s) -> let off = atan2 s c - angle in angle + off - 2 * pi * fromIntegral (round (off / (2 * pi)) :: Int)
         _ -> angle
       -- The closest point lies where the path turns from inward to outward.
       turn
@@ -188,13 +192,11 @@ trajectoryFromTable sight r (Radians psi) = do
       then closed
       else
         closed
-          { trajectoryFate = case ending of
-              Leaves _ _ -> Escapes swept
-              FallsIn -> Captured angle
-              CirclesOn -> Circles,
+          { trajectoryFate = fate,
+            trajectorySweep = swept,
             trajectoryClosestApproach = (1 /) . fst . inverse <$> turn,
-            trajectoryDeflection = case ending of
-              Leaves _ _ -> Just (swept - (pi - psi))
+            trajectoryDeflection = case fate of
+              Escaped _ -> Just (swept - (pi - psi))
               _ -> Nothing,
             trajectoryInverse = inverse
           }
@@ -203,29 +205,24 @@ trajectoryFromTable sight r (Radians psi) = do
 -- observed frequency over the frequency at infinity. The deflection counts from the
 -- present pseudo-velocity.
 trajectoryFromPhoton :: Double -> Photon -> Trajectory
-trajectoryFromPhoton observed (Photon place velocity) =
-  alongOrbit observed (e1, e2) r (atan2 tangential radial) (orbit r radial tangential)
+trajectoryFromPhoton observed photon =
+  alongOrbit observed plane r (atan2 tangential radial) (orbit r radial tangential)
   where
-    r = XYZ.norm place
-    e1 = (1 / r) *^ place
-    radial = XYZ.dot velocity e1
-    across = velocity ^-^ radial *^ e1
-    tangential = XYZ.norm across
-    -- A radial path sweeps no angle, so any direction serves.
-    e2 = fromMaybe (XYZ 1 0 0) (XYZ.normalize across)
+    r = XYZ.norm (photonPosition photon)
+    Launch plane radial tangential = launch r photon
 
 -- | A path from its starting radius. The fourth argument is the angle that a straight
 -- line would sweep.
-alongOrbit :: Double -> (XYZ, XYZ) -> Double -> Double -> Orbit -> Trajectory
-alongOrbit observed (e1, e2) r straight path =
+alongOrbit :: Double -> PathPlane -> Double -> Double -> Orbit -> Trajectory
+alongOrbit observed plane r straight path =
   Trajectory
-    { trajectoryOutset = e1,
-      trajectoryOnward = e2,
+    { trajectoryPlane = plane,
       trajectoryFate = orbitFate path,
+      trajectorySweep = orbitSweep path,
       trajectoryImpactParameter = orbitImpactParameter path,
       trajectoryClosestApproach = orbitClosestApproach path,
       trajectoryDeflection = case orbitFate path of
-        Escapes angle -> Just (angle - straight)
+        Escaped _ -> Just (orbitSweep path - straight)
         _ -> Nothing,
       trajectoryStartRadius = Just r,
       trajectoryTurn = turningAngle <$> orbitTurningPoint path,
@@ -249,12 +246,10 @@ pointAt trajectory angle =
   where
     (u, slope) = trajectoryInverse trajectory angle
     b = trajectoryImpactParameter trajectory
-    c = cos angle
-    s = sin angle
-    outward = c *^ trajectoryOutset trajectory ^+^ s *^ trajectoryOnward trajectory
-    onward = c *^ trajectoryOnward trajectory ^-^ s *^ trajectoryOutset trajectory
+    outward = inSpace (trajectoryPlane trajectory) (XY (cos angle) (sin angle))
+    onward = onwardAt (trajectoryPlane trajectory) (cos angle) (sin angle)
 
--- | @coursePoints farthest step trajectory@ returns points along the part of the path
+-- | @trajectoryPoints farthest step trajectory@ returns points along the part of the path
 -- within the radius @farthest@ (or within the start's radius, if that is greater), from
 -- one end to the other. Neighbouring points are at most @step@ times their radius
 -- apart. The list is empty if the path stays outside. A path that never ends is
@@ -279,18 +274,18 @@ trajectoryPoints farthest step trajectory
       Just _ -> Just 0
       Nothing -> entryAngle limit trajectory
     rangeEnd = case trajectoryFate trajectory of
-      Captured angle -> Just angle
-      Circles -> Just (endAngle trajectory)
-      Escapes angle ->
+      Escaped _ ->
         let outward = fromMaybe 0 (trajectoryTurn trajectory)
          in if radius outward > limit
               then Nothing
-              else Just (bisect (\a -> radius a < limit && fst (trajectoryInverse trajectory a) > 0) outward angle)
+              else Just (bisect (\a -> radius a < limit && fst (trajectoryInverse trajectory a) > 0) outward (trajectorySweep trajectory))
+      _ -> Just (endAngle trajectory)
     radialPoints = case trajectoryFate trajectory of
-      Escapes _ -> [radialPoint r 1 | r <- ladder start limit]
+      Escaped _ -> [radialPoint r 1 | r <- ladder start limit]
       _ -> [radialPoint r (-1) | r <- reverse (ladder 1 start)]
     start = fromMaybe limit (trajectoryStartRadius trajectory)
-    radialPoint r v = TrajectoryPoint 0 (Photon (r *^ trajectoryOutset trajectory) (v *^ trajectoryOutset trajectory))
+    radialPoint r v = TrajectoryPoint 0 (Photon (r *^ outset) (v *^ outset))
+    PathPlane outset _ = trajectoryPlane trajectory
     ladder low high =
       let n = max 1 (ceiling (log (high / low) / step)) :: Int
        in [low * (high / low) ** (fromIntegral k / fromIntegral n) | k <- [0 .. n]]
@@ -305,9 +300,10 @@ trajectoryEntry limit trajectory = case (trajectoryStartRadius trajectory, traje
   (Nothing, False) -> pointAt trajectory <$> entryAngle limit trajectory
   where
     radial r =
-      TrajectoryPoint 0 (Photon (r *^ trajectoryOutset trajectory) (direction *^ trajectoryOutset trajectory))
+      TrajectoryPoint 0 (Photon (r *^ outset) (direction *^ outset))
+    PathPlane outset _ = trajectoryPlane trajectory
     direction = case trajectoryFate trajectory of
-      Escapes _ -> 1
+      Escaped _ -> 1
       _ -> -1
 
 -- | The swept angle at which a path from infinity first comes within a radius.
@@ -321,10 +317,9 @@ entryAngle limit trajectory
 
 -- | The swept angle of the end; for a path without end, that of four turns.
 endAngle :: Trajectory -> Double
-endAngle trajectory = case trajectoryFate trajectory of
-  Escapes angle -> angle
-  Captured angle -> angle
-  Circles -> 8 * pi
+endAngle trajectory
+  | isInfinite (trajectorySweep trajectory) = 8 * pi
+  | otherwise = trajectorySweep trajectory
 
 -- | A crossing of the disk's plane @y = 0@ outside the horizon.
 data Crossing = Crossing
@@ -346,28 +341,15 @@ planeAzimuth (XYZ x _ z)
   where
     angle = atan2 z x
 
--- | Whether the path crosses the disk's plane rather than lying in it.
-trajectoryMeetsPlane :: Trajectory -> Bool
-trajectoryMeetsPlane trajectory = max (abs a) (abs b) > 1e-12
-  where
-    XYZ _ a _ = trajectoryOutset trajectory
-    XYZ _ b _ = trajectoryOnward trajectory
-
 -- | The points at which the path crosses the disk's plane, in order from the observer,
 -- not counting the start. Empty for a path that lies in the plane; limited to four
--- turns for a path that never ends. The height is @r (e₁ cos φ + e₂ sin φ)·y@, so the
--- crossings are half a turn apart.
+-- turns for a path that never ends.
 trajectoryPlanePoints :: Trajectory -> [TrajectoryPoint]
 trajectoryPlanePoints trajectory
-  | not (trajectoryMeetsPlane trajectory) || trajectoryImpactParameter trajectory == 0 = []
-  | otherwise = map (pointAt trajectory) (takeWhile (< endAngle trajectory) (take 1000 (iterate (+ pi) firstAngle)))
+  | not (meetsDiskPlane plane) || trajectoryImpactParameter trajectory == 0 = []
+  | otherwise = map (pointAt trajectory) (takeWhile (< endAngle trajectory) (take 1000 (iterate (+ pi) (firstCrossing plane))))
   where
-    XYZ _ height1 _ = trajectoryOutset trajectory
-    XYZ _ height2 _ = trajectoryOnward trajectory
-    firstAngle =
-      let angle = atan2 (negate height1) height2
-          upward = if angle < 0 then angle + pi else angle
-       in if upward < 1e-12 then upward + pi else upward
+    plane = trajectoryPlane trajectory
 
 -- | The crossings at those points outside the horizon, with the redshift of gas there.
 trajectoryCrossings :: Trajectory -> [Crossing]

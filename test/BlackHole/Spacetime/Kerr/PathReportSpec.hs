@@ -1,7 +1,7 @@
 module BlackHole.Spacetime.Kerr.PathReportSpec (spec) where
 
+import BlackHole.Spacetime.Fate
 import BlackHole.Spacetime.Kerr.Landmarks
-import BlackHole.Spacetime.Kerr.Path
 import BlackHole.Spacetime.Kerr.PathReport
 import BlackHole.Spacetime.Kerr.Sight
 import qualified BlackHole.Vector.XYZ as XYZ
