@@ -7,7 +7,7 @@ where
 
 import BlackHole.Light.Display (Exposure (..), toneMapName)
 import BlackHole.Light.Radiance (Radiance (..), scaleRadiance)
-import BlackHole.Matter.Redshift (RedshiftParts (..))
+import BlackHole.Matter.Redshift (Redshift (..))
 import BlackHole.Numeric.Angle
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
@@ -15,10 +15,9 @@ import BlackHole.Scene.Shifts
 import BlackHole.Scene.Validate (Problem (..))
 import BlackHole.Spacetime.Fate (Fate (..), fateName)
 import BlackHole.Spacetime.Observer (observerName)
-import BlackHole.Spacetime.Schwarzschild.Radii (criticalImpactParameter)
-import BlackHole.Spacetime.Types (Spacetime (..))
+import BlackHole.Spacetime.PlaneCrossing (PlaneCrossing (..))
+import BlackHole.Spacetime.Types (spacetimeCriticalImpact)
 import BlackHole.Trace.Explain
-import BlackHole.Trace.PlaneCrossing
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ
@@ -95,9 +94,7 @@ sightLines scene sighting =
         [ field "angular momentum lambda" (number lambda),
           field "Carter's constant Q" (number carter)
         ]
-    critical = case sceneSpacetime scene of
-      Flat -> ""
-      _ -> "  (critical:" ++ number criticalImpactParameter ++ ")"
+    critical = maybe "" (\b -> "  (critical:" ++ number b ++ ")") (spacetimeCriticalImpact (sceneSpacetime scene))
     fateText fate = case fate of
       Escaped direction -> fateName fate ++ " to the sky at" ++ vector direction
       Captured -> fateName fate ++ " by the hole"
@@ -105,7 +102,7 @@ sightLines scene sighting =
       Opaque -> fateName fate ++ ": the gas hides everything behind it"
       StepLimit -> fateName fate ++ " reached"
 
-crossingLines :: Scene -> [PlaneCrossing] -> [String]
+crossingLines :: Scene -> [PlaneCrossing (Maybe Redshift)] -> [String]
 crossingLines _ [] = ["  none"]
 crossingLines scene crossings = titles : map line crossings
   where
@@ -119,10 +116,10 @@ crossingLines scene crossings = titles : map line crossings
           (padLeft 16)
           ( decimal (crossingRadius crossing) :
             decimal (inDegrees (toDegrees (Radians (crossingAzimuth crossing)))) :
-            maybe ["-", "-", "-"] parts (crossingShift crossing)
+            maybe ["-", "-", "-"] parts (crossingLight crossing)
           )
     parts shift =
-      [ decimal (redshiftGravitational shift * redshiftDoppler shift),
+      [ decimal (redshiftFactor shift),
         decimal (redshiftGravitational shift),
         decimal (redshiftDoppler shift)
       ]

@@ -20,14 +20,15 @@ where
 import BlackHole.Cli.Check
 import BlackHole.Cli.Json
 import BlackHole.Cli.Read
+import BlackHole.Matter.KerrReport
+import BlackHole.Matter.PathReport
 import BlackHole.Numeric.Angle
 import BlackHole.Scene.Scene (Integrator (..), integratorName)
 import BlackHole.Scene.Validate (Problem (..))
 import BlackHole.Spacetime.Fate
 import BlackHole.Spacetime.Kerr.Landmarks (Spin, ergosphereRadius, spin)
-import BlackHole.Spacetime.Kerr.PathReport
 import BlackHole.Spacetime.Kerr.Sight
-import BlackHole.Spacetime.PathReport
+import BlackHole.Spacetime.PlaneCrossing
 import BlackHole.Spacetime.Schwarzschild.Leapfrog (StepRule (..), reportStepRule)
 import BlackHole.Spacetime.Schwarzschild.Trajectory
 import BlackHole.Vector.XYZ (XYZ (..))
@@ -252,12 +253,7 @@ rotatingMembers report =
     ("minoTime", Number (kerrReportMinoTime report)),
     ("frequency", Number (kerrReportObserved report)),
     ("escapeDirection", direction),
-    ( "crossings",
-      List
-        [ Object [("r", Number r), ("azimuth", Number azimuth), ("g", Number g)]
-          | KerrCrossing r azimuth g <- kerrReportCrossings report
-        ]
-    )
+    ("crossings", crossingList (kerrReportCrossings report))
   ]
   where
     direction = case kerrReportFate report of
@@ -275,11 +271,11 @@ differenceMembers difference =
     ("energyDrift", maybeNumber (differenceEnergyDrift difference))
   ]
 
-crossingList :: [Crossing] -> Json
+crossingList :: [PlaneCrossing Double] -> Json
 crossingList crossings =
   List
     [ Object [("r", Number r), ("azimuth", Number azimuth), ("g", Number g)]
-      | Crossing r azimuth g <- crossings
+      | PlaneCrossing r azimuth g <- crossings
     ]
 
 maybeNumber :: Maybe Double -> Json

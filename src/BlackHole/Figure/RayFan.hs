@@ -15,6 +15,7 @@ import BlackHole.Spacetime.Fate
 import BlackHole.Spacetime.Photon (Photon (..))
 import BlackHole.Spacetime.Schwarzschild.Radii
 import BlackHole.Spacetime.Schwarzschild.Trajectory
+import BlackHole.Spacetime.Schwarzschild.TrajectoryPoints
 import BlackHole.Vector.XY (XY (..))
 import qualified BlackHole.Vector.XY as XY
 import BlackHole.Vector.XYZ (XYZ (..))

@@ -9,7 +9,7 @@ module BlackHole.Scene.Shifts
   )
 where
 
-import BlackHole.Matter.Redshift (RedshiftParts (..))
+import BlackHole.Matter.Redshift (Redshift (..))
 
 -- | Physically, both shifts apply; a film may leave one out for artistic reasons.
 data Shifts = Shifts
@@ -21,8 +21,8 @@ data Shifts = Shifts
   deriving (Eq, Show)
 
 -- | The part of g that applies to light from the gas. The observer's own motion belongs
--- to the gravitational part ('RedshiftParts').
-shiftFactor :: Shifts -> RedshiftParts -> Double
+-- to the gravitational part ('Redshift').
+shiftFactor :: Shifts -> Redshift -> Double
 shiftFactor (Shifts doppler gravity) shift =
   (if gravity then redshiftGravitational shift else 1)
     * (if doppler then redshiftDoppler shift else 1)

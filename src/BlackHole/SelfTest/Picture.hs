@@ -17,7 +17,8 @@ import BlackHole.Scene.Scene
 import BlackHole.Scene.Sky
 import BlackHole.SelfTest.Check
 import BlackHole.Spacetime.Observer (Observer (Static))
-import BlackHole.Trace.Pixel
+import BlackHole.Trace.Ray
+import BlackHole.Trace.Tracer
 import BlackHole.Vector.XY (XY (..))
 import Data.Maybe (mapMaybe)
 import qualified Data.Vector.Storable as Vector

@@ -18,16 +18,15 @@ module BlackHole.Spacetime.Observer
     sightPhoton,
     Eye,
     eye,
-    eyePlace,
     sightFrom,
     sightLine,
   )
 where
 
-import BlackHole.Matter.Redshift (staticObserver)
 import BlackHole.Spacetime.Kerr.Landmarks
 import BlackHole.Spacetime.Kerr.Path (Azimuth (..))
 import BlackHole.Spacetime.Kerr.Sight
+import BlackHole.Spacetime.Momentum (staticFrequency)
 import BlackHole.Spacetime.Photon
 import BlackHole.Spacetime.Types (Spacetime (..))
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^), (^-^))
@@ -105,7 +104,7 @@ observerExists space observer place = case space of
 frequencyAtRest :: Spacetime -> XYZ -> Maybe Double
 frequencyAtRest space place = case space of
   Flat -> Just 1
-  Schwarzschild -> staticObserver (XYZ.norm place)
+  Schwarzschild -> staticFrequency (XYZ.norm place)
   Kerr hole -> rayObserved <$> lightRay hole (kerrPlace place) AtRest (Direction 1 0 0)
 
 -- | The observer's motion around a rotating hole; 'Nothing' for the camera of the design
@@ -148,7 +147,7 @@ sightPhoton RotatingSight {} = Nothing
 data Eye = Eye
   { _eyeKind :: !EyeKind,
     -- | The observer's position.
-    eyePlace :: {-# UNPACK #-} !XYZ,
+    _eyePlace :: {-# UNPACK #-} !XYZ,
     -- | Unit vector away from the hole.
     _eyeRadial :: {-# UNPACK #-} !XYZ,
     -- | √(1 − 1/r).

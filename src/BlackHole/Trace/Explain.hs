@@ -17,19 +17,23 @@ where
 
 import BlackHole.Light.Display
 import BlackHole.Light.Radiance
+import BlackHole.Matter.GasFlow (gasFlow)
+import BlackHole.Matter.Redshift
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
 import BlackHole.Spacetime.Fate (Fate)
+import BlackHole.Spacetime.Follow (planeCrossings)
 import BlackHole.Spacetime.Kerr.Sight (LightRay (..))
 import BlackHole.Spacetime.LightPath
 import BlackHole.Spacetime.Observer (SightLine (..), sightFrequency)
 import BlackHole.Spacetime.Photon (angularMomentum)
+import BlackHole.Spacetime.PlaneCrossing (PlaneCrossing)
 import BlackHole.Trace.Adaptive
 import BlackHole.Trace.Estimate
 import BlackHole.Trace.Gas
-import BlackHole.Trace.Pixel
-import BlackHole.Trace.PlaneCrossing
+import BlackHole.Trace.Ray
 import BlackHole.Trace.Sampling (Sample (..))
+import BlackHole.Trace.Tracer
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ)
 import Data.Word (Word8)
@@ -70,7 +74,8 @@ data Arrival = Arrival
     -- | The observer's frequency over the frequency at infinity.
     arrivalFrequency :: !Double,
     arrivalFate :: !(Fate XYZ),
-    arrivalCrossings :: ![PlaneCrossing],
+    -- | With the shift of gas there, outside the horizon.
+    arrivalCrossings :: ![PlaneCrossing (Maybe Redshift)],
     -- | Number of steps of the integrator.
     arrivalSteps :: !Int,
     -- | Number of path segments that contained gas.
@@ -127,7 +132,7 @@ explainPixel traced column row
           explainedShown = shownAs scene column row radiance
         }
   where
-    scene = tracedScene traced
+    scene = tracerScene traced
     Picture width height = scenePicture scene
     estimate = pixelEstimate traced column row
     radiance = estimatedRadiance estimate
@@ -162,7 +167,7 @@ arrival scene traced shared point sight =
             RotatingSight _ _ ray -> LambdaAndCarter (rayLambda ray) (rayEta ray),
           arrivalFrequency = sightFrequency sight,
           arrivalFate = fate,
-          arrivalCrossings = planeCrossings scene sight,
+          arrivalCrossings = [crossingRedshift (gasFlow (sceneSpacetime scene)) sight crossing <$ crossing | crossing <- planeCrossings (tracerPaths traced) sight],
           arrivalSteps = steps,
           arrivalGasSamples = samples,
           arrivalTransmittance = transmittance,

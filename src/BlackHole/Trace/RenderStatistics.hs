@@ -18,7 +18,8 @@ import BlackHole.Trace.Adaptive (pixelEstimate)
 import BlackHole.Trace.EnvironmentMap (EnvironmentMap)
 import BlackHole.Trace.Estimate (estimateCount)
 import BlackHole.Trace.Explain (gatheredAlong)
-import BlackHole.Trace.Pixel
+import BlackHole.Trace.Ray
+import BlackHole.Trace.Tracer
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ)
 import qualified BlackHole.Vector.XYZ as XYZ

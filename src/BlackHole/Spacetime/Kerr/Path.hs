@@ -113,7 +113,7 @@ closedPath hole azimuth ray r l =
     (end, time) = radialEnd r
     a = spinLength hole
     lambda = rayLambda ray
-    kappa = rayEta ray + (lambda - a) * (lambda - a)
+    kappa = rayKappa ray
     inside = rayRadius ray <= horizonRadius hole
     pointAt t phase = KerrPoint radius (phaseCosine l phase) (atan2 x z - correction) (stateGrows state)
       where

@@ -60,6 +60,8 @@ data LightRay = LightRay
     rayLambda :: {-# UNPACK #-} !Double,
     -- | η = Q\/E², Carter's constant over the squared energy.
     rayEta :: {-# UNPACK #-} !Double,
+    -- | κ = η + (λ − a)², the constant of the radial motion.
+    rayKappa :: {-# UNPACK #-} !Double,
     -- | The frequency that the observer measures over that at infinity: the shift
     -- of light from the sky.
     rayObserved :: {-# UNPACK #-} !Double
@@ -97,7 +99,7 @@ lightRay hole (Place r polarAngle) motion (Direction nr ntheta nphi) = case moti
     s = max 1e-100 (sin polarAngle)
     outside = r > horizonRadius hole
     sigma = r * r + a * a * c * c
-    delta = (r - horizonRadius hole) * (r - innerHorizonRadius hole)
+    delta = kerrDelta hole r
     area = (r * r + a * a) * (r * r + a * a) - a * a * delta * s * s
     omega = a * r / area
     alpha = sqrt (sigma * delta / area)
@@ -117,6 +119,7 @@ lightRay hole (Place r polarAngle) motion (Direction nr ntheta nphi) = case moti
       | energy > 0 =
         let thetaRate = ntheta * sqrt sigma / energy
             l = lambdaOverSine / energy
+            eta = thetaRate * thetaRate + c * c * (l * l - a * a)
          in Just
               LightRay
                 { rayRadius = r,
@@ -125,7 +128,8 @@ lightRay hole (Place r polarAngle) motion (Direction nr ntheta nphi) = case moti
                   rayRadialRate = radialRate / energy,
                   rayPolarRate = thetaRate,
                   rayLambda = l * s,
-                  rayEta = thetaRate * thetaRate + c * c * (l * l - a * a),
+                  rayEta = eta,
+                  rayKappa = eta + (l * s - a) * (l * s - a),
                   rayObserved = 1 / energy
                 }
       | otherwise = Nothing

@@ -16,7 +16,7 @@ import BlackHole.Spacetime.LightPath
 import BlackHole.Spacetime.March
 import BlackHole.Spacetime.PathPlane
 import BlackHole.Spacetime.Photon
-import BlackHole.Spacetime.Schwarzschild.Orbit 
+import BlackHole.Spacetime.Schwarzschild.Orbit
 import BlackHole.Spacetime.Types (Spacetime (..))
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
@@ -61,7 +61,7 @@ followOrbit region photon gather
       -- Outside the gas and moving outward: only the sky is left.
       | slope <= 0 && u * reach <= 1 = end n state
       | insideRegion region middle =
-        case gather state (PathSegment middle velocity' (turn / (b * um * um))) of
+        case gather state (planarSegment (Photon middle velocity') (turn / (b * um * um))) of
           Continue state' -> go (n + 1) angle' u' slope' state'
           Stop state' -> Followed Opaque state' (n + 1)
       | otherwise = go (n + 1) angle' u' slope' state
@@ -99,7 +99,7 @@ followStraight region (Photon place velocity) gather = go 0 0
       | t >= impact = Followed Captured state n
       | isInfinite impact && along + t >= 0 && XYZ.norm here >= reach = escaped
       | insideRegion region middle =
-        case gather state (PathSegment middle velocity len) of
+        case gather state (planarSegment (Photon middle velocity) len) of
           Continue state' -> go (n + 1) (t + len) state'
           Stop state' -> Followed Opaque state' (n + 1)
       | otherwise = go (n + 1) (t + len) state

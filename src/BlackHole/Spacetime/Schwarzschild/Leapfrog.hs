@@ -31,6 +31,7 @@ where
 import BlackHole.Spacetime.Fate (Fate (..))
 import BlackHole.Spacetime.LightPath
 import BlackHole.Spacetime.March (enclosingRadius)
+import BlackHole.Spacetime.Momentum
 import BlackHole.Spacetime.PathPlane
 import BlackHole.Spacetime.Photon
 import BlackHole.Spacetime.Types (Spacetime, pullOfGravity)
@@ -160,9 +161,9 @@ followThree leapfrog@(Leapfrog rule skyRadius limit) spacetime region (photon0, 
     InPlane a00 b00 u00 v00 = startInPlane photon0
     InPlane a10 b10 u10 v10 = startInPlane photon1
     InPlane a20 b20 u20 v20 = startInPlane photon2
-    !plane0@(Plane _ heightA0 heightB0 pull0) = orbitalPlane spacetime photon0
-    !plane1@(Plane _ heightA1 heightB1 pull1) = orbitalPlane spacetime photon1
-    !plane2@(Plane _ heightA2 heightB2 pull2) = orbitalPlane spacetime photon2
+    !plane0@(Plane _ heightA0 heightB0 pull0 _) = orbitalPlane spacetime photon0
+    !plane1@(Plane _ heightA1 heightB1 pull1 _) = orbitalPlane spacetime photon1
+    !plane2@(Plane _ heightA2 heightB2 pull2 _) = orbitalPlane spacetime photon2
     !sky2 = skyRadius * skyRadius
     -- Above this height, half a step does not reach the gas.
     !clear = tallestHeight region + longestNearGas rule region
@@ -233,24 +234,26 @@ followThree leapfrog@(Leapfrog rule skyRadius limit) spacetime region (photon0, 
                 followAlone leapfrog region plane2 gather2 n start2 s2
               )
     {-# INLINE begin #-}
-    meet (Plane plane _ _ _) gather dt start middle after state
-      | insideRegion region place = gather state (segmentInPlane plane dt place start after)
+    meet plane@(Plane inPlane _ _ _ _) gather dt start middle after state
+      | insideRegion region place = gather state (segmentInPlane plane dt place start middle after)
       | otherwise = Continue state
       where
-        place = inSpace plane middle
+        place = inSpace inPlane middle
 
--- | The plane of a path, the heights of its unit vectors above the disk's plane, and
--- @−(3\/2) h²@.
+-- | The plane of a path, the heights of its unit vectors above the disk's plane,
+-- @−(3\/2) h²@, and the real photon's angular momentum about the axis.
 data Plane
   = Plane
       !PathPlane
       {-# UNPACK #-} !Double
       {-# UNPACK #-} !Double
       {-# UNPACK #-} !Double
+      {-# UNPACK #-} !Double
 
 orbitalPlane :: Spacetime -> Photon -> Plane
-orbitalPlane spacetime photon = Plane plane height1 height2 (negate (pullOfGravity spacetime * XYZ.normSquared (angularMomentum photon)))
+orbitalPlane spacetime photon = Plane plane height1 height2 (negate (pullOfGravity spacetime * XYZ.normSquared h)) (negate hy)
   where
+    h@(XYZ _ hy _) = angularMomentum photon
     !plane@(PathPlane (XYZ _ height1 _) (XYZ _ height2 _)) = launchPlane (launch (XYZ.norm (photonPosition photon)) photon)
 
 -- | Position and velocity in the plane's own coordinates.
@@ -267,9 +270,22 @@ startInPlane photon = InPlane r 0 radial tangential
     r = XYZ.norm (photonPosition photon)
     Launch _ radial tangential = launch r photon
 
-segmentInPlane :: PathPlane -> Double -> XYZ -> InPlane -> XY -> PathSegment
-segmentInPlane plane dt place (InPlane _ _ u v) (XY u' v') =
-  PathSegment place (inSpace plane (XY (0.5 * (u + u')) (0.5 * (v + v')))) dt
+segmentInPlane :: Plane -> Double -> XYZ -> InPlane -> XY -> XY -> PathSegment
+segmentInPlane (Plane _ heightA heightB _ lambda) dt place (InPlane _ _ u0 v0) (XY a b) (XY u1 v1) =
+  PathSegment
+    { segmentMiddle = place,
+      segmentRadius = r,
+      segmentAffineLength = dt,
+      segmentLength = dt * sqrt (u * u + v * v),
+      segmentRadialStep = dt * radial / r,
+      segmentVerticalStep = dt * (heightA * u + heightB * v),
+      segmentMomentum = Momentum (negate radial / (r - 1)) lambda
+    }
+  where
+    u = 0.5 * (u0 + u1)
+    v = 0.5 * (v0 + v1)
+    r = sqrt (a * a + b * b)
+    radial = a * u + b * v
 {-# INLINE segmentInPlane #-}
 
 -- | The pseudo-time of a step, from the rule, the squared distance to the hole, the
@@ -312,7 +328,7 @@ followAlone ::
   InPlane ->
   a ->
   Followed a
-followAlone (Leapfrog rule skyRadius limit) region (Plane plane heightA heightB pull) gather first (InPlane a0 b0 u0 v0) state0 =
+followAlone (Leapfrog rule skyRadius limit) region plane@(Plane inPlane heightA heightB pull _) gather first (InPlane a0 b0 u0 v0) state0 =
   withStepLength rule $ \lengthAt -> begin lengthAt
   where
     !sky2 = skyRadius * skyRadius
@@ -324,7 +340,7 @@ followAlone (Leapfrog rule skyRadius limit) region (Plane plane heightA heightB 
           | r2 > sky2 && a * u + b * v > 0 = escaped
           | n >= limit = Followed StepLimit state n
           | abs y <= tallest && insideRegion region place =
-            case gather state (segmentInPlane plane dt place (InPlane a b u v) (XY u' v')) of
+            case gather state (segmentInPlane plane dt place (InPlane a b u v) (XY ma mb) (XY u' v')) of
               Continue state' -> go (n + 1) a' b' u' v' state'
               Stop state' -> Followed Opaque state' (n + 1)
           | otherwise = go (n + 1) a' b' u' v' state
@@ -339,8 +355,8 @@ followAlone (Leapfrog rule skyRadius limit) region (Plane plane heightA heightB 
             !a' = ma + 0.5 * dt * u'
             !b' = mb + 0.5 * dt * v'
             !y = heightA * ma + heightB * mb
-            place = inSpace plane (XY ma mb)
-            escaped = case XYZ.normalize (inSpace plane (XY u v)) of
+            place = inSpace inPlane (XY ma mb)
+            escaped = case XYZ.normalize (inSpace inPlane (XY u v)) of
               Just direction -> Followed (Escaped direction) state n
               -- Reached only by a photon that never had a direction.
               Nothing -> Followed StepLimit state n

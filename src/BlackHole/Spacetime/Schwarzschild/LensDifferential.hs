@@ -3,8 +3,7 @@
 -- | How the directions in which neighbouring light rays reach the celestial sphere
 -- differ.
 module BlackHole.Spacetime.Schwarzschild.LensDifferential
-  ( lensChange,
-    LensChanges (..),
+  ( LensChanges (..),
     lensChanges,
   )
 where
@@ -15,23 +14,18 @@ import BlackHole.Spacetime.Schwarzschild.LensTable
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^), (^-^))
 import qualified BlackHole.Vector.XYZ as XYZ
 
--- | @lensChange table photon direction neighbour@ is the first-order change of the
--- direction in which a photon of unit energy escapes, towards a neighbour that starts
--- at the same position. The result is a vector tangent to the celestial sphere at
--- @direction@. The neighbour's path turns within its plane by the derivative of the
--- swept angle ('lensSlope'), and its plane differs. 'Nothing' if the photon does not
--- escape or is too close to the critical path.
-lensChange :: LensTable -> Photon -> XYZ -> Photon -> Maybe XYZ
-lensChange table photon direction neighbour =
-  (\(LensChanges change _) -> change) <$> lensChanges table photon direction neighbour neighbour
-
 -- | The changes towards two neighbours.
 data LensChanges
   = LensChanges
       {-# UNPACK #-} !XYZ
       {-# UNPACK #-} !XYZ
 
--- | 'lensChange' towards two neighbours at once, in less than twice the time.
+-- | @lensChanges table photon direction neighbour neighbour@ are the first-order changes
+-- of the direction in which a photon of unit energy escapes, towards two neighbours that
+-- start at the same position. They are vectors tangent to the celestial sphere at
+-- @direction@. A neighbour's path turns within its plane by the derivative of the swept
+-- angle ('lensSlope'), and its plane differs. 'Nothing' if the photon does not escape or
+-- is too close to the critical path.
 lensChanges :: LensTable -> Photon -> XYZ -> Photon -> Photon -> Maybe LensChanges
 lensChanges table photon direction (Photon _ velocity1) (Photon _ velocity2) =
   case lensSlope table radial tangential of

@@ -1,10 +1,11 @@
 module BlackHole.Spacetime.Kerr.PathSpec (spec) where
 
+import BlackHole.Matter.KerrFlow
 import BlackHole.Spacetime.Fate
-import BlackHole.Spacetime.Kerr.GasFlow
 import BlackHole.Spacetime.Kerr.Landmarks
 import BlackHole.Spacetime.Kerr.Path
 import BlackHole.Spacetime.Kerr.Sight
+import BlackHole.Spacetime.Momentum
 import qualified BlackHole.Spacetime.Schwarzschild.Orbit as Orbit
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ (..))
@@ -128,7 +129,7 @@ spec = do
     rayOf row = fromMaybe (error (rayName row)) (lightRay (raySpin row) (rayPlace row) (rayMotion row) (rayDirection row))
     pathOf row = kerrPath (raySpin row) (if rayMotion row == InFreeFall then Ingoing 0 else BoyerLindquist 0) (rayOf row)
     mirrored hole = spinOf (negate (dimensionlessSpin hole))
-    shift hole ray point = maybe (0 / 0) (rayObserved ray /) (planeFrequency (gasFlow hole) ray (pointRadius point) (pointGrows point))
+    shift hole ray point = rayObserved ray / kerrPlaneFrequency (kerrFlow hole) ray (pointRadius point) (Momentum (if pointGrows point then -1 else 1) (rayLambda ray))
     look hole place direction = fromMaybe (error "no such observer") (lightRay hole place AtRest direction)
     captured path = kerrFate path == Captured
     direct point =

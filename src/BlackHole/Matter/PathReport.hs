@@ -2,7 +2,7 @@
 
 -- | A report on one light path, from the closed form or from the leapfrog, and the
 -- difference between two reports.
-module BlackHole.Spacetime.PathReport
+module BlackHole.Matter.PathReport
   ( PathReport (..),
     exactReport,
     leapfrogReport,
@@ -13,16 +13,21 @@ module BlackHole.Spacetime.PathReport
   )
 where
 
-import BlackHole.Matter.Redshift (RedshiftParts (..), gasRedshift)
+import BlackHole.Matter.GasFlow
+import BlackHole.Matter.Redshift
 import BlackHole.Spacetime.Fate
+import BlackHole.Spacetime.Momentum
 import BlackHole.Spacetime.PathPlane (meetsDiskPlane)
 import BlackHole.Spacetime.Photon
+import BlackHole.Spacetime.PlaneCrossing
 import BlackHole.Spacetime.Schwarzschild.Leapfrog
 import BlackHole.Spacetime.Schwarzschild.Trajectory
+import BlackHole.Spacetime.Schwarzschild.TrajectoryPoints
 import BlackHole.Spacetime.Types (Spacetime (Schwarzschild))
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
 import qualified BlackHole.Vector.XYZ as XYZ
+import Data.Maybe (mapMaybe)
 
 -- | The report. Lengths are in Schwarzschild radii, angles in radians.
 data PathReport = PathReport
@@ -35,7 +40,8 @@ data PathReport = PathReport
     -- | See 'trajectoryDeflection'.
     reportDeflection :: !(Maybe Double),
     reportClosestApproach :: !(Maybe Double),
-    reportCrossings :: ![Crossing],
+    -- | With ν_obs\/ν_em of light that gas there sends to the observer.
+    reportCrossings :: ![PlaneCrossing Double],
     -- | Steps of the integrator, or the number of points at which the exact path was
     -- evaluated.
     reportSteps :: !Int,
@@ -63,7 +69,7 @@ exactReport drawn trajectory =
       reportSweptAngle = if isInfinite (trajectorySweep trajectory) then Nothing else Just (trajectorySweep trajectory),
       reportDeflection = trajectoryDeflection trajectory,
       reportClosestApproach = trajectoryClosestApproach trajectory,
-      reportCrossings = trajectoryCrossings trajectory,
+      reportCrossings = crossingsOf trajectory,
       reportSteps = length points,
       reportAngularMomentumDrift = driftOf (XYZ.norm . angularMomentum) photons,
       reportEnergyDrift = driftOf pseudoEnergy photons,
@@ -72,6 +78,15 @@ exactReport drawn trajectory =
   where
     points = trajectoryPoints drawn 0.02 trajectory
     photons = map pointPhoton points
+
+-- | The crossings outside the horizon, with the shift of the gas there.
+crossingsOf :: Trajectory -> [PlaneCrossing Double]
+crossingsOf trajectory = mapMaybe (shifted (trajectoryObserved trajectory)) (trajectoryCrossings trajectory)
+
+shifted :: Double -> PlaneCrossing (Maybe Momentum) -> Maybe (PlaneCrossing Double)
+shifted observed crossing@(PlaneCrossing r _ light) = shift <$> light
+  where
+    shift momentum = redshiftFactor (redshift observed (gasFrequencies (gasFlow Schwarzschild) r 0 momentum)) <$ crossing
 
 driftOf :: (Photon -> Double) -> [Photon] -> Maybe Double
 driftOf quantity photons = case map quantity photons of
@@ -94,7 +109,7 @@ data Walk = Walk
     walkEnergyDrift :: !Double,
     walkClosest :: !(Maybe Double),
     -- | Latest first, like the path.
-    walkCrossings :: ![Crossing],
+    walkCrossings :: ![PlaneCrossing Double],
     walkPath :: ![PathPoint]
   }
 
@@ -162,22 +177,20 @@ leapfrogReport rule farthest trajectory = case trajectoryEntry radius trajectory
             crossing
               | meetsDiskPlane (trajectoryPlane trajectory),
                 height x * height x' < 0 || (height x /= 0 && height x' == 0) =
-                crossingAt (hermite (bisectStep (\p -> height (photonPosition p) * height x > 0)))
+                shifted (trajectoryObserved trajectory) (crossingOf (hermite (bisectStep (\p -> height (photonPosition p) * height x > 0))))
               | otherwise = Nothing
             drawn path = case path of
               PathPoint _ p : _ | XYZ.distance p x' < 0.02 * XYZ.norm x' -> path
               _ -> PathPoint swept' x' : path
         escaped walk =
           let rest = trajectoryFromPhoton (trajectoryObserved trajectory) (walkPhoton walk)
-              angle = walkSwept walk + trajectorySweep rest
-              final = walk {walkCrossings = reverse (trajectoryCrossings rest) ++ walkCrossings walk}
+              -- A radial path sweeps no angle; 'launch' takes its neighbour.
+              angle = walkSwept walk + (if h0 > 0 then trajectorySweep rest else 0)
+              final = walk {walkCrossings = reverse (crossingsOf rest) ++ walkCrossings walk}
            in case trajectoryFate rest of
                 Escaped _ -> ended (Escaped (XY (cos angle) (sin angle))) (Just angle) final
                 _ -> ended StepLimit Nothing final
     height (XYZ _ y _) = y
-    crossingAt (Photon p v) = do
-      RedshiftParts gravity doppler <- gasRedshift (trajectoryObserved trajectory) p (XYZ.negated v)
-      pure (Crossing (XYZ.norm p) (planeAzimuth p) (gravity * doppler))
     ended fate swept walk =
       PathReport
         { reportFate = fate,
@@ -237,7 +250,7 @@ data PathDifference = PathDifference
     differenceSweptAngle :: !(Maybe Double),
     differenceDeflection :: !(Maybe Double),
     differenceClosestApproach :: !(Maybe Double),
-    differenceCrossings :: ![Crossing],
+    differenceCrossings :: ![PlaneCrossing Double],
     differenceAngularMomentumDrift :: !(Maybe Double),
     differenceEnergyDrift :: !(Maybe Double)
   }
@@ -259,9 +272,5 @@ reportDifference a b =
     by field = (-) <$> field a <*> field b
     -- The angle to infinity and the angle to the horizon cannot be compared.
     sameEnd value = if (() <$ reportFate a) == (() <$ reportFate b) then value else Nothing
-    crossing (Crossing r azimuth g) (Crossing r' azimuth' g') =
-      Crossing (r - r') (wrapped (azimuth - azimuth')) (g - g')
-    wrapped angle
-      | angle > pi = angle - 2 * pi
-      | angle <= -pi = angle + 2 * pi
-      | otherwise = angle
+    crossing (PlaneCrossing r azimuth g) (PlaneCrossing r' azimuth' g') =
+      PlaneCrossing (r - r') (wrappedAngle (azimuth - azimuth')) (g - g')

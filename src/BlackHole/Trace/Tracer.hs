@@ -1,0 +1,126 @@
+-- | A scene prepared for tracing, and the lines of sight through its picture.
+module BlackHole.Trace.Tracer
+  ( Tracer (..),
+    Matter (..),
+    tracer,
+    tracerWithSky,
+    tracerTables,
+    tracedDirection,
+    tracedSight,
+    sightBesidePoint,
+    pixelWidth,
+  )
+where
+
+import BlackHole.Light.Display (Exposure (..))
+import BlackHole.Scene.Camera
+import BlackHole.Scene.Disk (Disk)
+import BlackHole.Scene.Scene
+import BlackHole.Scene.Shifts (SkyShift, noSkyShift, skyShiftAt)
+import BlackHole.Spacetime.Follow
+import BlackHole.Spacetime.LightPath
+import BlackHole.Spacetime.Observer
+import BlackHole.Spacetime.Types (Spacetime (..))
+import BlackHole.Trace.EnvironmentMap (EnvironmentMap)
+import BlackHole.Trace.Gas
+import BlackHole.Trace.Grid
+import BlackHole.Trace.Sky
+import BlackHole.Vector.XY (XY)
+import BlackHole.Vector.XYZ (XYZ)
+import qualified BlackHole.Vector.XYZ as XYZ
+
+-- | A scene prepared for tracing: everything that its pixels share, computed once.
+data Tracer = Tracer
+  { tracerPlane :: !PicturePlane,
+    tracerScene :: !Scene,
+    tracerEye :: !Eye,
+    -- | The exposure's factor.
+    tracerGain :: !Double,
+    -- | The part of g that applies to the sky.
+    tracerSkyShift :: !SkyShift,
+    tracerRegion :: !Region,
+    -- | The light paths to the camera.
+    tracerPaths :: !Tracing,
+    -- | Computed at its first use, like the fields below.
+    tracerMatter :: Matter,
+    -- | The sky as a function of the beam.
+    tracerSky :: SkyShader
+  }
+
+-- | What shines along the way.
+data Matter
+  = Vacuum
+  | Checks !Disk
+  | Gaseous !Gas
+
+-- | Prepares a scene. 'Nothing' if its camera has no direction of view ('cameraFrame'),
+-- which no validated scene has, or if its sky is an environment map, which needs
+-- 'tracerWithSky'.
+tracer :: Scene -> Maybe Tracer
+tracer = tracerWithSky Nothing
+
+-- | Prepares a scene together with its environment map, if it has one
+-- ('neededPicture').
+tracerWithSky :: Maybe EnvironmentMap -> Scene -> Maybe Tracer
+tracerWithSky picture scene = do
+  frame <- cameraFrame (sceneCamera scene)
+  sky <- shader
+  pure
+    Tracer
+      { tracerPlane = picturePlane (sceneProjection scene) (sceneCamera scene) (scenePicture scene) frame,
+        tracerScene = scene,
+        tracerGain = 2 ** stops,
+        tracerEye = eye (sceneSpacetime scene) (sceneObserver scene) place,
+        tracerSkyShift = case sceneSpacetime scene of
+          Flat -> noSkyShift
+          space -> skyShiftAt (sceneShifts scene) (frequencyAtRest space place),
+        tracerRegion = sceneRegion scene,
+        tracerPaths = tracing (sceneSpacetime scene) method (XYZ.norm place),
+        tracerMatter = matter,
+        tracerSky = sky
+      }
+  where
+    Exposure stops = sceneExposure scene
+    place = posePosition (cameraPose (sceneCamera scene))
+    seed = sceneSeed scene
+    method = case sceneIntegrator scene of
+      Tabulated -> ByTable
+      Exact -> InClosedForm
+      Leapfrogging -> ByLeapfrog (sceneLeapfrog scene)
+    shader
+      | sceneDebugTextures scene = Just (ByDirection (const gridRadiance))
+      | otherwise = skyShader picture seed (sceneSky scene)
+    matter = case sceneDisk scene of
+      Nothing -> Vacuum
+      Just disk
+        | sceneDebugTextures scene -> Checks disk
+        | otherwise -> Gaseous (gas (sceneSpacetime scene) seed (sceneShifts scene) disk place (pixelWidth scene) (sceneSamples scene))
+
+-- | The parts of a tracer that take time to compute, for evaluation in advance and in
+-- parallel. Otherwise the first ray that needs a part waits for it.
+tracerTables :: Tracer -> [()]
+tracerTables traced =
+  seq (tracerMatter traced) () : seq (tracerSky traced) () : [seq (tracingTable (tracerPaths traced)) () | sceneIntegrator scene == Tabulated, not (rotates (sceneSpacetime scene))]
+  where
+    scene = tracerScene traced
+    rotates space = case space of
+      Kerr _ -> True
+      _ -> False
+
+-- | The angle in radians that a pixel in the middle of the picture spans.
+pixelWidth :: Scene -> Double
+pixelWidth scene = pixelAngle (sceneProjection scene) (sceneCamera scene) (scenePicture scene)
+
+-- | The viewing direction through a point of the picture, in pixels from the top left
+-- corner; 'Nothing' outside a fisheye's circle.
+tracedDirection :: Tracer -> XY -> Maybe XYZ
+tracedDirection traced = sightDirection (tracerPlane traced)
+
+-- | The light path that arrives at a point of the picture; 'Nothing' if none does, so
+-- that the point is dark ('sightLine', 'sightDirection').
+tracedSight :: Tracer -> XY -> Maybe SightLine
+tracedSight traced point = sightDirection (tracerPlane traced) point >>= sightFrom (tracerEye traced)
+
+-- | 'tracedSight' at an offset from a point, exact however small the offset is.
+sightBesidePoint :: Tracer -> XY -> XY -> Maybe SightLine
+sightBesidePoint traced point offset = sightBeside (tracerPlane traced) point offset >>= sightFrom (tracerEye traced)
