@@ -29,7 +29,7 @@ import BlackHole.Spacetime.Fate
 import BlackHole.Spacetime.Kerr.Landmarks (Spin, ergosphereRadius, spin)
 import BlackHole.Spacetime.Kerr.Sight
 import BlackHole.Spacetime.PlaneCrossing
-import BlackHole.Spacetime.Schwarzschild.Leapfrog (StepRule (..), reportStepRule)
+import BlackHole.Spacetime.Schwarzschild.LeapfrogStep (StepRule (..), reportStepRule)
 import BlackHole.Spacetime.Schwarzschild.Trajectory
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ

@@ -8,10 +8,7 @@
 -- about 3000 members: the swept angle, the direction at infinity, and @u@ at waypoints
 -- in between. The other members are interpolated.
 --
--- /The parameter/ is @w = tan(ψ\/4)@: smooth and monotone from 0 (outwards) to 1
--- (inwards), and rational in the components of the velocity. Inside the horizon, where
--- no observer at rest exists to measure ψ, it refers to an observer who falls in from
--- rest at infinity.
+-- /The parameter/ is that of "BlackHole.Spacetime.Schwarzschild.LensFamily".
 --
 -- /The nodes./ Near the critical value @w_c@, where light winds around the photon
 -- sphere for ever, everything varies as the logarithm of @|w − w_c|@. The table
@@ -32,9 +29,9 @@ where
 
 import BlackHole.Numeric.Parallel (inParallel)
 import BlackHole.Spacetime.Fate
+import BlackHole.Spacetime.Schwarzschild.LensFamily
 import BlackHole.Spacetime.Schwarzschild.Orbit
 import BlackHole.Spacetime.Schwarzschild.OrbitSeries
-import BlackHole.Spacetime.Schwarzschild.Radii (criticalImpactParameter)
 import BlackHole.Vector.XY (XY (..))
 import Control.Monad (when)
 import Control.Monad.ST (ST)
@@ -42,15 +39,6 @@ import Data.Bits (unsafeShiftL, unsafeShiftR, (.&.))
 import Data.Foldable (for_)
 import Data.Primitive.PrimArray
 import GHC.Float (castDoubleToWord64)
-
--- | What the parameter of the paths through a point depends on.
-data Family = Family
-  { familyRadius :: {-# UNPACK #-} !Double,
-    -- | √(1 − 1/r), the lapse of an observer at rest; inside the horizon √(1/r), the
-    -- speed of an observer who falls in from rest at infinity.
-    _familyLapse :: {-# UNPACK #-} !Double,
-    familyCritical :: {-# UNPACK #-} !Double
-  }
 
 -- | The tabulated paths through a point.
 data LensTable = LensTable
@@ -71,7 +59,7 @@ lensTable r =
       tableNumbers = mconcat (inParallel (map (blockNumbers family) blocks))
     }
   where
-    family = Family r (if r > 1 then sqrt (1 - 1 / r) else sqrt (1 / r)) (criticalParameter r)
+    family = familyAt r
     blocks = [block family side octave | side <- [minBound ..], octave <- [0 .. octaveCount - 1]]
     offsets = scanl (+) 0 (map blockSize blocks)
 
@@ -86,61 +74,6 @@ lensTableSize = sizeofPrimArray . tableNumbers
 -- | The side of the critical direction.
 data Side = Escaping | Falling
   deriving (Eq, Enum, Bounded)
-
--- | The parameter of the critical photon. With u = 1/r, cos ψ_c is −(1 − 3u/2)√(1 +
--- 3u), which is free of cancellation at r = 3/2.
-criticalParameter :: Double -> Double
-criticalParameter r
-  | r <= 1 =
-    let infall = sqrt (1 / r)
-        t = criticalImpactParameter / r
-     in fallingParameter infall (sqrt (1 + (infall * infall - 1) * t * t)) t
-  | otherwise = quarterTangent cosine (criticalImpactParameter * sqrt (1 - u) * u)
-  where
-    u = 1 / r
-    cosine = (1.5 * u - 1) * sqrt (1 + 3 * u)
-
--- | tan(ψ/4) from cos ψ and sin ψ.
-quarterTangent :: Double -> Double -> Double
-quarterTangent cosine sine = sine / (high + sqrt (2 * high))
-  where
-    -- 1 + cos ψ.
-    high
-      | cosine < 0 = sine * sine / (1 - cosine)
-      | otherwise = 1 + cosine
-{-# INLINE quarterTangent #-}
-
--- | tan(ψ/4) for an observer who falls at this speed, from the velocity of a photon of
--- unit energy. Where an observer at rest exists, this is the aberration of what that
--- observer sees.
-fallingParameter :: Double -> Double -> Double -> Double
-fallingParameter infall radial tangential = half / (1 + sqrt (1 + half * half))
-  where
-    half = tangential * (1 + infall) / (1 + radial)
-{-# INLINE fallingParameter #-}
-
--- | The parameter of a photon of unit energy.
-parameterOf :: Family -> Double -> Double -> Double
-parameterOf (Family r lapse _) radial tangential
-  | r > 1 = quarterTangent radial (tangential * lapse)
-  | otherwise = fallingParameter lapse radial tangential
-{-# INLINE parameterOf #-}
-
--- | The radial and tangential pseudo-velocity of a member of the family. The tangential
--- component is negative beyond both ends of the parameter's range, where the family
--- continues as its mirror image.
-velocityAt :: Family -> Double -> (Double, Double)
-velocityAt (Family r lapse _) w
-  | r > 1 =
-    let halfCosine = (1 - w * w) / (1 + w * w)
-        halfSine = 2 * w / (1 + w * w)
-     in ( (halfCosine - halfSine) * (halfCosine + halfSine),
-          2 * halfSine * halfCosine / lapse
-        )
-  | otherwise =
-    let half = 2 * w / (1 - w * w)
-        t = 2 * half / ((1 + lapse) - (lapse - 1) * half * half)
-     in (sqrt (1 + (lapse * lapse - 1) * t * t), t)
 
 -- | Number of octaves of the distance from the critical parameter, from 1 downwards.
 octaveCount :: Int

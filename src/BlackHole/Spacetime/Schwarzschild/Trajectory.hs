@@ -25,6 +25,7 @@ import BlackHole.Spacetime.Fate
 import BlackHole.Spacetime.Momentum (staticFrequency)
 import BlackHole.Spacetime.PathPlane
 import BlackHole.Spacetime.Photon
+import BlackHole.Spacetime.Schwarzschild.Deflection
 import BlackHole.Spacetime.Schwarzschild.LensTable (LensTable, lensSeries, lensTable, lensTableRadius)
 import BlackHole.Spacetime.Schwarzschild.Orbit
 import BlackHole.Spacetime.Schwarzschild.OrbitSeries

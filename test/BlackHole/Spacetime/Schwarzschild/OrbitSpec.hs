@@ -3,6 +3,7 @@
 module BlackHole.Spacetime.Schwarzschild.OrbitSpec (spec) where
 
 import BlackHole.Spacetime.Fate
+import BlackHole.Spacetime.Schwarzschild.Deflection
 import BlackHole.Spacetime.Schwarzschild.Orbit
 import BlackHole.Spacetime.Schwarzschild.Radii
 import BlackHole.Vector.XY (XY (..))

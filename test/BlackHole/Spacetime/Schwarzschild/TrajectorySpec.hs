@@ -5,7 +5,7 @@ import BlackHole.Numeric.Angle
 import BlackHole.Spacetime.Fate
 import BlackHole.Spacetime.Photon
 import BlackHole.Spacetime.PlaneCrossing
-import BlackHole.Spacetime.Schwarzschild.Orbit (deflectionAngle)
+import BlackHole.Spacetime.Schwarzschild.Deflection
 import BlackHole.Spacetime.Schwarzschild.Radii (criticalImpactParameter)
 import BlackHole.Spacetime.Schwarzschild.Trajectory
 import BlackHole.Spacetime.Schwarzschild.TrajectoryPoints
