@@ -45,7 +45,7 @@ benchmarks =
     file ready format bits =
       bench ("development and " ++ show format ++ " in " ++ show bits ++ " bits") . whnfIO $
         fmap Lazy.length
-          <$> encodeFile oneWorker format (Label "bench" (Coding (Just bits) Nothing) Bytes.empty) (Development (Exposure 0) ToneFilm BlueNoise) noLayers (filmOf ready)
+          <$> encodeFile oneWorker format (Metadata "bench" (Coding (Just bits) Nothing) Bytes.empty) (Development (Exposure 0) ToneFilm BlueNoise) noLayers (filmOf ready)
 
 -- | A third black, the rest smooth with some texture, like a rendering.
 gradient :: IO Film

@@ -1,4 +1,4 @@
--- | Complete small pictures, from scene to film, on one core.
+-- | Complete small pictures, from scene to animation, on one core.
 module FrameBench (benchmarks) where
 
 import BlackHole.Render.Film

@@ -123,7 +123,7 @@ inRows across sheets = Sheet (across * (width + gap) - gap) (down * (height + ga
 write :: Workers -> FilePath -> String -> Sheet -> IO ()
 write workers folder name (Sheet width height code) =
   case pixelShape width height 3 >>= \shape -> fromPixelVector shape codes of
-    Just pixels -> encodePng workers (Label "blackhole" defaultCoding Bytes.empty) (Codes8 pixels) >>= Lazy.writeFile (folder </> name)
+    Just pixels -> encodePng workers (Metadata "blackhole" defaultCoding Bytes.empty) (Codes8 pixels) >>= Lazy.writeFile (folder </> name)
     Nothing -> die (name ++ " is empty")
   where
     codes = Vector.generate (3 * width * height) (\i -> let (pixel, k) = i `quotRem` 3; (y, x) = pixel `quotRem` width in code x y k)

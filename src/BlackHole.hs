@@ -42,7 +42,7 @@ import qualified BlackHole.Cli.SceneOptions as SceneOptions
 import BlackHole.Cli.SkyFile (SkyFile (..), loadSky)
 import BlackHole.Image.AtomicFile (renderWriteProblem, writeFileAtomically)
 import BlackHole.Image.Coding (Format, defaultCoding, formatExtensions, formatOf)
-import BlackHole.Image.Write (finishFilm)
+import BlackHole.Image.Write (pictureBytes)
 import BlackHole.Light.Radiance (Radiance (..))
 import BlackHole.Render.Film (Exposed (..), exposeCounted)
 import qualified BlackHole.Render.Film as Film
@@ -131,7 +131,7 @@ filmRadiance (Film exposed) = Film.filmRadiance (exposedLight exposed)
 -- stores the scene. 'Left' holds one line with the reason for a failure.
 writeFilm :: FilePath -> Scene -> Film -> IO (Either [String] ())
 writeFilm file scene (Film exposed) = inFormat file $ \format -> do
-  bytes <- withAllWorkers (\workers -> finishFilm workers software format defaultCoding (scene :| []) exposed)
+  bytes <- withAllWorkers (\workers -> pictureBytes workers software format defaultCoding (scene :| []) exposed)
   case bytes of
     Nothing -> pure (Left [file ++ ": this format has no room for so large a picture"])
     Just content -> either (Left . pure . renderWriteProblem) Right <$> writeFileAtomically file content

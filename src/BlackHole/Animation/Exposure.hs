@@ -1,4 +1,4 @@
--- | The light of a frame: of one moment, or the mean of several moments.
+-- | The light of a frame: that of one scene, or the mean of several for motion blur.
 module BlackHole.Animation.Exposure
   ( exposeMotionBlur,
     exposeMotionBlurRows,
@@ -18,9 +18,9 @@ import Data.List.NonEmpty (NonEmpty (..))
 import Data.Maybe (isJust)
 import qualified Data.Vector.Storable as Vector
 
--- | Traces every moment and averages their linear light; the numbers of samples are
+-- | Traces every scene and averages their linear light; the numbers of samples are
 -- added. The callback receives the finished fraction of all rows. Needs the memory of
--- two films for any number of moments. The first argument is the environment map, if
+-- two films for any number of scenes. The first argument is the environment map, if
 -- the scenes have one, which must be the same for all. 'Nothing' if a scene is not
 -- valid or their pictures differ in size.
 exposeMotionBlur :: Maybe EnvironmentMap -> Workers -> (Double -> IO ()) -> NonEmpty Scene -> IO (Maybe Exposed)

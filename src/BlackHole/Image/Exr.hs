@@ -7,7 +7,7 @@ module BlackHole.Image.Exr
   ( ExrPrecision (..),
     encodeExr,
     writeExr,
-    exrLabel,
+    exrMetadata,
     halfBits,
   )
 where
@@ -62,10 +62,10 @@ channelBytes (Channel _ half) = if half then 2 else 4
 data ChannelRow = ChannelRow !Bool !Int !Int !(Vector.Vector Word32)
 
 -- | A file with a film's light in the channels R, G and B, additional layers and the
--- label (attributes @software@ and @comments@). 'Nothing' if names of layers are equal,
+-- metadata (attributes @software@ and @comments@). 'Nothing' if names of layers are equal,
 -- empty or longer than 31 characters. The bytes do not depend on the number of workers.
-encodeExr :: Workers -> ExrPrecision -> Label -> Layers -> Film -> IO (Maybe Lazy.ByteString)
-encodeExr workers precision label layers film
+encodeExr :: Workers -> ExrPrecision -> Metadata -> Layers -> Film -> IO (Maybe Lazy.ByteString)
+encodeExr workers precision metadata layers film
   | layersFit layers = do
     blocks <- newIORef []
     _ <- eachBlock workers precision width height layers (pure . filmRows film) (\bytes -> modifyIORef' blocks (bytes :))
@@ -76,16 +76,16 @@ encodeExr workers precision label layers film
         <> foldMap Builder.byteString contents
   | otherwise = pure Nothing
   where
-    header = strict (headerOf label width height (channelsOf precision layers))
+    header = strict (headerOf metadata width height (channelsOf precision layers))
     width = shapeWidth (pixelArrayShape film)
     height = shapeHeight (pixelArrayShape film)
 
--- | @writeExr workers precision label (width, height) layers rowsOf handle@ writes the
+-- | @writeExr workers precision metadata (width, height) layers rowsOf handle@ writes the
 -- file of 'encodeExr' from bands of light to a seekable handle, a few rows at a time.
 -- 'Nothing' where 'encodeExr' returns 'Nothing'. The action returns 'False', and leaves
 -- a truncated file, as soon as a band is missing.
-writeExr :: Workers -> ExrPrecision -> Label -> (Int, Int) -> Layers -> ((Int, Int) -> IO (Maybe Film)) -> Maybe (Handle -> IO Bool)
-writeExr workers precision label (width, height) layers rowsOf
+writeExr :: Workers -> ExrPrecision -> Metadata -> (Int, Int) -> Layers -> ((Int, Int) -> IO (Maybe Film)) -> Maybe (Handle -> IO Bool)
+writeExr workers precision metadata (width, height) layers rowsOf
   | layersFit layers = Just $ \handle -> do
     sizes <- newIORef []
     Bytes.hPut handle header
@@ -102,7 +102,7 @@ writeExr workers precision label (width, height) layers rowsOf
     pure complete
   | otherwise = Nothing
   where
-    header = strict (headerOf label width height (channelsOf precision layers))
+    header = strict (headerOf metadata width height (channelsOf precision layers))
 
 layersFit :: Layers -> Bool
 layersFit layers = and (zipWith (/=) names (drop 1 names)) && all good (layerNames layers)
@@ -165,22 +165,22 @@ eachBlock workers precision width height layers rowsOf put = go (blocksOf height
 linesPerBlock :: Int
 linesPerBlock = 16
 
-headerOf :: Label -> Int -> Int -> [Channel] -> Builder
-headerOf label width height channels =
+headerOf :: Metadata -> Int -> Int -> [Channel] -> Builder
+headerOf metadata width height channels =
   Builder.byteString magic
     <> attribute "channels" "chlist" (foldMap described channels <> Builder.word8 0)
     <> attribute "chromaticities" "chromaticities" (foldMap Builder.floatLE [0.64, 0.33, 0.30, 0.60, 0.15, 0.06, 0.3127, 0.3290])
-    <> attribute commentsName "string" (Builder.byteString (labelText label))
+    <> attribute commentsName "string" (Builder.byteString (metadataText metadata))
     <> attribute "compression" "compression" (Builder.word8 3)
     <> attribute "dataWindow" "box2i" window
     <> attribute "displayWindow" "box2i" window
     -- A map of all directions by latitude and longitude.
-    <> (if isWholeSphere label (width, height) then attribute "envmap" "envmap" (Builder.word8 0) else mempty)
+    <> (if isWholeSphere metadata (width, height) then attribute "envmap" "envmap" (Builder.word8 0) else mempty)
     <> attribute "lineOrder" "lineOrder" (Builder.word8 0)
     <> attribute "pixelAspectRatio" "float" (Builder.floatLE 1)
     <> attribute "screenWindowCenter" "v2f" (Builder.floatLE 0 <> Builder.floatLE 0)
     <> attribute "screenWindowWidth" "float" (Builder.floatLE 1)
-    <> attribute "software" "string" (Builder.string7 (labelSoftware label))
+    <> attribute "software" "string" (Builder.string7 (metadataSoftware metadata))
     <> Builder.word8 0
   where
     window = foldMap (Builder.int32LE . fromIntegral) [0, 0, width - 1, height - 1]
@@ -205,16 +205,16 @@ magic = Bytes.pack [0x76, 0x2f, 0x31, 0x01, 2, 0, 0, 0]
 commentsName :: String
 commentsName = "comments"
 
--- | The label of an OpenEXR file written by this program.
-exrLabel :: ByteString -> Maybe Label
-exrLabel bytes = Bytes.stripPrefix magic bytes >>= go
+-- | The metadata of an OpenEXR file written by this program.
+exrMetadata :: ByteString -> Maybe Metadata
+exrMetadata bytes = Bytes.stripPrefix magic bytes >>= go
   where
     go rest
       | Bytes.null name = Nothing
       | otherwise = do
         size <- littleEndian 4 0 sized
         content <- slice 4 size sized
-        if name == Characters.pack commentsName then parseLabel content else go (Bytes.drop (4 + size) sized)
+        if name == Characters.pack commentsName then parseMetadata content else go (Bytes.drop (4 + size) sized)
       where
         (name, afterName) = Bytes.break (== 0) rest
         sized = Bytes.drop 1 (Bytes.dropWhile (/= 0) (Bytes.drop 1 afterName))

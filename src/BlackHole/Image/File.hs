@@ -1,8 +1,8 @@
--- | Picture files of any format: a film's bytes, and a file's label.
+-- | Picture files of any format: a film's bytes, and a file's metadata.
 module BlackHole.Image.File
   ( Development (..),
     encodeFile,
-    fileLabel,
+    fileMetadata,
   )
 where
 
@@ -33,30 +33,30 @@ data Development = Development
   }
   deriving (Eq, Show)
 
--- | The bytes of a file, encoded as the label says; 'codingProblem' must accept that
+-- | The bytes of a file, encoded as the metadata says; 'codingProblem' must accept that
 -- coding. Linear formats store the film's light without exposure and tone map. Only
 -- OpenEXR stores layers. 'Nothing' if the picture is too large for the format, or if
 -- the layers do not fit ('encodeExr'). The bytes do not depend on the number of
 -- workers.
-encodeFile :: Workers -> Format -> Label -> Development -> Layers -> Film -> IO (Maybe Lazy.ByteString)
-encodeFile workers format label (Development exposure tone dither) layers film = case (format, bits) of
-  (Png, 16) -> Just <$> (fine >>= encodePng workers label . Codes16)
-  (Png, _) -> Just <$> (coarse >>= encodePng workers label . Codes8)
+encodeFile :: Workers -> Format -> Metadata -> Development -> Layers -> Film -> IO (Maybe Lazy.ByteString)
+encodeFile workers format metadata (Development exposure tone dither) layers film = case (format, bits) of
+  (Png, 16) -> Just <$> (fine >>= encodePng workers metadata . Codes16)
+  (Png, _) -> Just <$> (coarse >>= encodePng workers metadata . Codes8)
   (Jpeg, _)
     | shapeWidth shape > 65535 || shapeHeight shape > 65535 -> pure Nothing
-    | otherwise -> Just . encodeJpeg (codingQualityOf coding) label <$> coarse
-  (Tiff, 32) -> pure (encodeTiff label (TiffLight film))
-  (Tiff, _) -> encodeTiff label . TiffCodes <$> fine
-  (Hdr, _) -> Just <$> encodeHdr workers label film
-  (Exr, _) -> encodeExr workers (if bits == 32 then Single else Half) label layers film
+    | otherwise -> Just . encodeJpeg (codingQualityOf coding) metadata <$> coarse
+  (Tiff, 32) -> pure (encodeTiff metadata (TiffLight film))
+  (Tiff, _) -> encodeTiff metadata . TiffCodes <$> fine
+  (Hdr, _) -> Just <$> encodeHdr workers metadata film
+  (Exr, _) -> encodeExr workers (if bits == 32 then Single else Half) metadata layers film
   where
     shape = pixelArrayShape film
-    coding = labelCoding label
+    coding = metadataCoding metadata
     bits = codingBitsOf format coding
     coarse = developFilm workers exposure tone dither film
     fine = developFilmFinely workers exposure tone film
 
--- | The label of a picture file written by this program; 'Nothing' for other files.
-fileLabel :: ByteString -> Maybe Label
-fileLabel bytes =
-  pngLabel bytes <|> exrLabel bytes <|> tiffLabel bytes <|> jpegLabel bytes <|> hdrLabel bytes
+-- | The metadata of a picture file written by this program; 'Nothing' for other files.
+fileMetadata :: ByteString -> Maybe Metadata
+fileMetadata bytes =
+  pngMetadata bytes <|> exrMetadata bytes <|> tiffMetadata bytes <|> jpegMetadata bytes <|> hdrMetadata bytes

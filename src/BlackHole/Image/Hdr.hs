@@ -6,7 +6,7 @@ module BlackHole.Image.Hdr
   ( encodeHdr,
     hdrHeader,
     hdrRows,
-    hdrLabel,
+    hdrMetadata,
   )
 where
 
@@ -30,22 +30,22 @@ import Data.Word (Word32, Word8)
 import Foreign.Ptr (Ptr)
 import Foreign.Storable (pokeByteOff)
 
--- | The film's light with its label in the header. Negative components and NaN become
+-- | The film's light with its metadata in the header. Negative components and NaN become
 -- 0; components above 1e38 become 1e38. Rows are run-length encoded where the format
 -- allows it (8 to 32767 pixels). The bytes do not depend on the number of workers.
-encodeHdr :: Workers -> Label -> Film -> IO Lazy.ByteString
-encodeHdr workers label film = do
+encodeHdr :: Workers -> Metadata -> Film -> IO Lazy.ByteString
+encodeHdr workers metadata film = do
   rows <- hdrRows workers film
-  pure (Lazy.fromChunks (hdrHeader label (shapeWidth shape, shapeHeight shape) : rows))
+  pure (Lazy.fromChunks (hdrHeader metadata (shapeWidth shape, shapeHeight shape) : rows))
   where
     shape = pixelArrayShape film
 
 -- | The lines of the file before the rows of a picture of this width and height.
-hdrHeader :: Label -> (Int, Int) -> ByteString
-hdrHeader label (width, height) =
+hdrHeader :: Metadata -> (Int, Int) -> ByteString
+hdrHeader metadata (width, height) =
   Characters.pack . unlines $
-    ["#?RADIANCE", "SOFTWARE=" ++ labelSoftware label]
-      ++ map ((commentMark ++) . Characters.unpack) (Characters.lines (labelText label))
+    ["#?RADIANCE", "SOFTWARE=" ++ metadataSoftware metadata]
+      ++ map ((commentMark ++) . Characters.unpack) (Characters.lines (metadataText metadata))
       ++ ["FORMAT=32-bit_rle_rgbe", "", "-Y " ++ show height ++ " +X " ++ show width]
 
 -- | The encoded rows of a band, in order.
@@ -64,16 +64,16 @@ hdrRows workers film = mapShared workers (pure . codedRow) (mapMaybe (pixelRow f
         separate = rgbe width light
         interleaved = Bytes.pack [unsafeIndex separate (k * width + x) | x <- [0 .. width - 1], k <- [0 .. 3]]
 
--- | The label of a Radiance file written by this program.
-hdrLabel :: ByteString -> Maybe Label
-hdrLabel bytes = case Characters.lines (Bytes.take 1000000 bytes) of
+-- | The metadata of a Radiance file written by this program.
+hdrMetadata :: ByteString -> Maybe Metadata
+hdrMetadata bytes = case Characters.lines (Bytes.take 1000000 bytes) of
   first : rest
     | first == Characters.pack "#?RADIANCE" ->
-      parseLabel . Characters.unlines . mapMaybe (Bytes.stripPrefix (Characters.pack commentMark)) $
+      parseMetadata . Characters.unlines . mapMaybe (Bytes.stripPrefix (Characters.pack commentMark)) $
         takeWhile (not . Bytes.null) rest
   _ -> Nothing
 
--- | Marks the label's lines, because the header ends at the first empty line.
+-- | Marks the metadata's lines, because the header ends at the first empty line.
 commentMark :: String
 commentMark = "# | "
 

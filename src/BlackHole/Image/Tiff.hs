@@ -10,7 +10,7 @@ module BlackHole.Image.Tiff
     encodeTiff,
     tiffHeader,
     tiffRows,
-    tiffLabel,
+    tiffMetadata,
   )
 where
 
@@ -41,12 +41,12 @@ data TiffPixels
   | -- | Linear light.
     TiffLight !Film
 
--- | A little-endian RGB file with its label as the image description. 'Nothing' for
+-- | A little-endian RGB file with its metadata as the image description. 'Nothing' for
 -- pictures of 4 GiB or more, which the format cannot hold. The rows are produced
 -- lazily.
-encodeTiff :: Label -> TiffPixels -> Maybe Lazy.ByteString
-encodeTiff label pixels =
-  (\header -> Builder.toLazyByteString (header <> tiffRows pixels)) <$> tiffHeader label bits (shapeWidth shape, shapeHeight shape)
+encodeTiff :: Metadata -> TiffPixels -> Maybe Lazy.ByteString
+encodeTiff metadata pixels =
+  (\header -> Builder.toLazyByteString (header <> tiffRows pixels)) <$> tiffHeader metadata bits (shapeWidth shape, shapeHeight shape)
   where
     (shape, bits) = case pixels of
       TiffCodes codes -> (pixelArrayShape codes, 16)
@@ -58,10 +58,10 @@ tiffRows pixels = case pixels of
   TiffCodes codes -> littleEndianRows 2 (pixelArrayShape codes) (toPixelVector codes)
   TiffLight film -> littleEndianRows 4 (pixelArrayShape film) (Vector.unsafeCast (toPixelVector film) :: Vector.Vector Word32)
 
--- | @tiffHeader label bits (width, height)@ is everything before the pixels, for 16-bit
+-- | @tiffHeader metadata bits (width, height)@ is everything before the pixels, for 16-bit
 -- codes or 32-bit floating point.
-tiffHeader :: Label -> Int -> (Int, Int) -> Maybe Builder
-tiffHeader label bits (width, height)
+tiffHeader :: Metadata -> Int -> (Int, Int) -> Maybe Builder
+tiffHeader metadata bits (width, height)
   | toInteger width * toInteger height * 3 * toInteger (bits `quot` 8) > 0xf0000000 = Nothing
   | otherwise =
     Just $
@@ -81,7 +81,7 @@ tiffHeader label bits (width, height)
           shorts 258 (replicate 3 bits),
           shorts 259 [1],
           shorts 262 [2],
-          ascii 270 (labelText label),
+          ascii 270 (metadataText metadata),
           long 273 dataStart,
           shorts 277 [3],
           long 278 height,
@@ -90,12 +90,12 @@ tiffHeader label bits (width, height)
           ratio 283 72,
           shorts 284 [1],
           shorts 296 [2],
-          ascii 305 (Characters.pack (labelSoftware label)),
+          ascii 305 (Characters.pack (metadataSoftware metadata)),
           shorts 339 (replicate 3 sampleFormat)
         ]
           ++ [(700, 1, fromIntegral (Bytes.length packet), padded packet) | Just packet <- [sphere]]
-    sphere = spherePacket label (width, height)
-    shorts :: Word16 -> [Int] -> Entry
+    sphere = spherePacket metadata (width, height)
+    shorts :: Word16 -> [Int] -> DirectoryEntry
     long tag v = (tag, 4, 1, strict (Builder.word32LE (fromIntegral v)))
     shorts tag values = (tag, 3, fromIntegral (length values), strict (foldMap (Builder.word16LE . fromIntegral) values))
     ratio tag v = (tag, 5, 1, strict (Builder.word32LE v <> Builder.word32LE 1))
@@ -107,7 +107,7 @@ tiffHeader label bits (width, height)
     -- positions.
     longTexts =
       6 + 8 + 8 + 6
-        + sum [n | n <- map (Bytes.length . padded . (`Bytes.snoc` 0)) [labelText label, Characters.pack (labelSoftware label)], n > 4]
+        + sum [n | n <- map (Bytes.length . padded . (`Bytes.snoc` 0)) [metadataText metadata, Characters.pack (metadataSoftware metadata)], n > 4]
         + maybe 0 (Bytes.length . padded) sphere
     placed = place heapStart entries
     place _ [] = []
@@ -133,11 +133,11 @@ littleEndianRows bytes shape numbers = foldMap (Builder.byteString . row) [0 .. 
 {-# INLINE littleEndianRows #-}
 
 -- | Tag, type, count, and the bytes of the value.
-type Entry = (Word16, Word16, Word32, ByteString)
+type DirectoryEntry = (Word16, Word16, Word32, ByteString)
 
--- | The label of a TIFF file written by this program.
-tiffLabel :: ByteString -> Maybe Label
-tiffLabel bytes = do
+-- | The metadata of a TIFF file written by this program.
+tiffMetadata :: ByteString -> Maybe Metadata
+tiffMetadata bytes = do
   _ <- Bytes.stripPrefix (Bytes.pack [0x49, 0x49, 42, 0]) bytes
   directory <- littleEndian 4 4 bytes
   count <- littleEndian 2 directory bytes
@@ -145,5 +145,5 @@ tiffLabel bytes = do
     place : _ -> do
       size <- littleEndian 4 (place + 4) bytes
       start <- littleEndian 4 (place + 8) bytes
-      parseLabel . Bytes.takeWhile (/= 0) =<< slice start size bytes
+      parseMetadata . Bytes.takeWhile (/= 0) =<< slice start size bytes
     [] -> Nothing

@@ -15,7 +15,7 @@ import Test.Hspec
 
 spec :: Spec
 spec = do
-  it "is the film itself for a single moment" $ do
+  it "is the film itself for a single scene" $ do
     alone <- exposeFilm oneWorker (const (pure ())) (turned 0)
     exposed <- exposeMotionBlur Nothing oneWorker (const (pure ())) (turned 0 :| [])
     fmap (toPixelVector . exposedLight) exposed `shouldBe` fmap toPixelVector alone
@@ -27,7 +27,7 @@ spec = do
         Vector.maximum (Vector.zipWith4 (\x y z m -> abs ((x + y + z) / 3 - m) / (1 + abs m)) a b c mean) `shouldSatisfy` (< 1e-6)
         Vector.length (Vector.filter (> 0.01) (Vector.zipWith (\x m -> abs (x - m)) a mean)) `shouldSatisfy` (> 20)
       _ -> expectationFailure "no film"
-  it "counts the samples of all moments" $ do
+  it "counts the samples of all scenes" $ do
     exposed <- exposeMotionBlur Nothing oneWorker (const (pure ())) (turned 0 :| [turned 5, turned 10])
     fmap (fmap (Vector.toList . toPixelVector) . exposedCounts) exposed `shouldBe` Just (Just (replicate (16 * 9) 3))
   it "tells of growing parts up to the whole" $ do

@@ -36,5 +36,5 @@ spec = do
         Nothing -> expectationFailure "the scene is not valid"
         Just exposed -> do
           codes <- developFilm oneWorker (sceneExposure scene) (sceneToneMap scene) (sceneDither scene) exposed
-          file <- encodePng oneWorker (Label "blackhole" defaultCoding Bytes.empty) (Codes8 codes)
+          file <- encodePng oneWorker (Metadata "blackhole" defaultCoding Bytes.empty) (Codes8 codes)
           file `shouldMatchGolden` name

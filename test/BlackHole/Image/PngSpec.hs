@@ -36,7 +36,7 @@ spec = do
                 guard (from >= first && from + rows <= first + count)
                 shape <- pixelShape width rows 3
                 Codes8 <$> fromPixelVector shape (Vector.slice (3 * width * from) (3 * width * rows) (picture width height))
-        done <- maybe (pure False) (\shape -> encodePngBands workers label shape 1 bandOf (\bytes -> modifyIORef written (bytes :))) (pixelShape width height 3)
+        done <- maybe (pure False) (\shape -> encodePngBands workers metadata shape 1 bandOf (\bytes -> modifyIORef written (bytes :))) (pixelShape width height 3)
         file <- readIORef written
         ranges <- readIORef asked
         (done, Lazy.fromChunks (reverse file) == whole) `shouldBe` (True, True)
@@ -50,10 +50,10 @@ spec = do
       ]
       $ \band -> do
         let bandOf = const (pure (const <$> band))
-        done <- maybe (pure True) (\shape -> encodePngBands oneWorker label shape 1 bandOf (const (pure ()))) (pixelShape 5 4 3)
+        done <- maybe (pure True) (\shape -> encodePngBands oneWorker metadata shape 1 bandOf (const (pure ()))) (pixelShape 5 4 3)
         done `shouldBe` False
   where
-    label = Label "spec" defaultCoding Bytes.empty
+    metadata = Metadata "spec" defaultCoding Bytes.empty
     roundTrip (width, height) = do
       file <- encoded oneWorker width height
       case decodePng (Lazy.toStrict file) of
@@ -63,7 +63,7 @@ spec = do
         _ -> expectationFailure "this is no 8-bit RGB PNG"
     encoded workers width height =
       case pixelShape width height 3 >>= \shape -> fromPixelVector shape (picture width height) of
-        Just pixels -> encodePng workers label (Codes8 pixels)
+        Just pixels -> encodePng workers metadata (Codes8 pixels)
         Nothing -> Lazy.empty <$ expectationFailure "not a picture"
     -- Gradients, black, and something like noise.
     picture :: Int -> Int -> Vector.Vector Word8

@@ -28,7 +28,7 @@ spec =
       it (show bits ++ " bits, " ++ show stops ++ " stops") $ do
         let exposed = scene {sceneExposure = Exposure stops}
         expected <- codesOf bits exposed
-        whole <- finishFilm oneWorker "blackhole" Png (Coding (Just bits) Nothing) (exposed :| []) (Exposed film Nothing)
+        whole <- pictureBytes oneWorker "blackhole" Png (Coding (Just bits) Nothing) (exposed :| []) (Exposed film Nothing)
         fmap (codesIn . Lazy.toStrict) whole `shouldBe` Just expected
         banded <- inBands bits exposed
         codesIn banded `shouldBe` expected
@@ -47,6 +47,6 @@ spec =
       Right (ImageRGB16 image) -> Vector.map fromIntegral (imageData image)
       _ -> Vector.empty
     inBands bits exposed = withSystemTempDirectory "blackhole-spec" $ \folder -> do
-      let write = finishBands oneWorker "blackhole" Png (Coding (Just bits) Nothing) (exposed :| []) (pure . filmRows film) (const (pure Vector.empty))
+      let write = pictureWriter oneWorker "blackhole" Png (Coding (Just bits) Nothing) (exposed :| []) (pure . filmRows film) (const (pure Vector.empty))
       forM_ write (withBinaryFile (folder </> "a.png") WriteMode)
       Bytes.readFile (folder </> "a.png")
