@@ -159,7 +159,9 @@ startVideo coder coding rate target = mask_ $ do
     Left reason -> pure (Left reason)
     Right (part, handle) -> do
       hClose handle
-      launched <- reasonOf . createProcess $ (proc coder (ffmpegArguments coding rate part)) {std_in = CreatePipe, std_err = CreatePipe}
+      -- A copy of the handle of a locked file would keep that file locked as long as
+      -- ffmpeg runs.
+      launched <- reasonOf . createProcess $ (proc coder (ffmpegArguments coding rate part)) {std_in = CreatePipe, std_err = CreatePipe, close_fds = True}
       case launched of
         Right (Just input, Nothing, Just complaints, process) -> do
           hSetBinaryMode input True
