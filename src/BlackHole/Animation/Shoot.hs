@@ -135,7 +135,7 @@ shoot shooting listen = do
     render state clock job = case frameScenes animation (jobFrame job) of
       Left problems -> pure (Left (unwords (map show problems)))
       Right scenes -> do
-        exposed <- exposeMotionBlur (shootingSky shooting) (shootingWorkers shooting) (\part -> update state clock (Just (jobFrame job)) (\tally -> tally {tallyPart = part})) scenes
+        exposed <- exposeMotionBlur (shootingSky shooting) (shootingWorkers shooting) (\part -> update state clock (Just (jobFrame job)) (\tally -> tally {tallyPart = part})) scenes (Light.allRows (scenePicture (animationScene animation)))
         case exposed of
           Nothing -> pure (Left "its scenes cannot be traced together")
           Just light -> do

@@ -36,6 +36,7 @@ import BlackHole.Cli.SkyFile
 import BlackHole.Cli.Stats
 import BlackHole.Image.AtomicFile
 import BlackHole.Image.Coding
+import BlackHole.Image.Destination (toHandle)
 import BlackHole.Image.File (fileMetadata)
 import BlackHole.Image.Metadata
 import BlackHole.Image.TileFile
@@ -60,7 +61,7 @@ import BlackHole.Trace.Pixel (tracerWithSky)
 import BlackHole.Trace.Sky (neededPicture)
 import Control.Applicative ((<|>))
 import Control.Exception (IOException, SomeAsyncException (..), SomeException, catch, displayException, fromException, throwIO, try)
-import Control.Monad (forM_, unless, when)
+import Control.Monad (forM_, unless, when, (>=>))
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Lazy as Lazy
@@ -277,7 +278,7 @@ render options
       let rows = pictureHeight (scenePicture scene)
       exposing how (skyFileImage <$> sky) workers scenes' (0, rows) output $ \exposed done seconds ->
         finishing (skyFileImage <$> sky) workers scene (0, done) (exposedLight exposed) seconds $
-          maybe (complain CannotWrite (noRoom output)) (storeBy output) (pictureWriter workers programName format coding scenes' (pure . filmRows (exposedLight exposed)) (pure . countsRow scene exposed))
+          maybe (complain CannotWrite (noRoom output)) (\write -> storeBy output (toHandle >=> write (pure . filmRows (exposedLight exposed)))) (pictureEncoder workers programName format coding scenes' (pure . countsRow scene exposed))
     tileTo sky workers part scene = do
       let band = shardRows part (pictureHeight (scenePicture scene))
       exposing how {runKeepPartial = False} (skyFileImage <$> sky) workers (scene :| []) band output $ \exposed _ seconds ->
@@ -315,7 +316,7 @@ exposing how sky workers scenes'@(scene :| others) (first, rows) output finish
     start <- getMonotonicTime
     let bands = [(from, min bandRows (rows - from)) | from <- [0, bandRows .. rows - 1]]
     outcome <- try . timed . tracking $ \report -> forM_ bands $ \(from, count) -> do
-      band <- exposeMotionBlurRows sky workers (report . (from +) . rowsOf count) scenes' (first + from, count)
+      band <- exposeMotionBlur sky workers (report . (from +) . rowsOf count) scenes' (first + from, count)
       modifyIORef' kept (maybe id (:) band)
     done <- reverse <$> readIORef kept
     let light = map exposedLight done
@@ -337,7 +338,7 @@ exposing how sky workers scenes'@(scene :| others) (first, rows) output finish
           throwIO (stop :: Stopped)
         | otherwise -> throwIO stop
   | otherwise = do
-    (exposed, seconds) <- timed (tracking (\report -> exposeMotionBlurRows sky workers (report . rowsOf rows) scenes' (first, rows)))
+    (exposed, seconds) <- timed (tracking (\report -> exposeMotionBlur sky workers (report . rowsOf rows) scenes' (first, rows)))
     maybe untraceable (\light -> finish light rows seconds) exposed
   where
     width = pictureWidth (scenePicture scene)
@@ -412,8 +413,8 @@ join options = case (formatOf output, joinCoding options) of
           let Picture width height = scenePicture scene
           status <- withProgress (progressMode reported) height (width * sceneSamples scene) $ \report ->
             let rowsOf (first, count) = report first >> readPictureRows tiles (first, count)
-             in maybe (complain CannotWrite (noRoom output)) (storeBy output) $
-                  pictureWriter workers programName format coding (scene :| []) rowsOf (countsOf scene tiles)
+             in maybe (complain CannotWrite (noRoom output)) (\write -> storeBy output (toHandle >=> write rowsOf)) $
+                  pictureEncoder workers programName format coding (scene :| []) (countsOf scene tiles)
           if status == Done
             then do
               pictureSucceeded reported start output (width, height)
@@ -564,10 +565,10 @@ preview sky scene workers = do
   let (columns, textLines) = maybe (80, 24) (\(Terminal.Window h w) -> (w, h)) window
       Picture width height = scenePicture scene
       (across, down) = previewSize columns textLines (width, height)
-  exposed <- exposeFilmWithSky sky workers (const (pure ())) scene {scenePicture = Picture across down}
+  exposed <- exposeFilm sky workers (const (pure ())) scene {scenePicture = Picture across down} (0, down)
   case exposed of
     Nothing -> untraceable
-    Just film -> do
+    Just (Exposed film _) -> do
       _ <- warnOfFaults workers 0 film
       bloomed <- bloomFilm workers (sceneBloom scene) film
       codes <- developFilm workers (sceneExposure scene) (sceneToneMap scene) (sceneDither scene) bloomed

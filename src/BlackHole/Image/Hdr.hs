@@ -2,9 +2,12 @@
 
 -- | Radiance's picture format: linear light as three 8-bit mantissas with a shared
 -- exponent, accurate to 1 in 256 of the strongest primary (Ward 1991, "Real Pixels").
+--
+-- The encoder of JuicyPixels does not serve here: it cuts mantissas off instead of
+-- rounding them, which halves the accuracy and darkens the picture, has no place for
+-- metadata in the header, and needs the whole picture in memory.
 module BlackHole.Image.Hdr
-  ( encodeHdr,
-    hdrHeader,
+  ( hdrHeader,
     hdrRows,
     hdrMetadata,
   )
@@ -22,23 +25,12 @@ import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Characters
 import Data.ByteString.Internal (unsafeCreate)
-import qualified Data.ByteString.Lazy as Lazy
 import Data.ByteString.Unsafe (unsafeIndex)
 import Data.Maybe (mapMaybe)
 import qualified Data.Vector.Storable as Vector
 import Data.Word (Word32, Word8)
 import Foreign.Ptr (Ptr)
 import Foreign.Storable (pokeByteOff)
-
--- | The film's light with its metadata in the header. Negative components and NaN become
--- 0; components above 1e38 become 1e38. Rows are run-length encoded where the format
--- allows it (8 to 32767 pixels). The bytes do not depend on the number of workers.
-encodeHdr :: Workers -> Metadata -> Film -> IO Lazy.ByteString
-encodeHdr workers metadata film = do
-  rows <- hdrRows workers film
-  pure (Lazy.fromChunks (hdrHeader metadata (shapeWidth shape, shapeHeight shape) : rows))
-  where
-    shape = pixelArrayShape film
 
 -- | The lines of the file before the rows of a picture of this width and height.
 hdrHeader :: Metadata -> (Int, Int) -> ByteString
@@ -48,7 +40,9 @@ hdrHeader metadata (width, height) =
       ++ map ((commentMark ++) . Characters.unpack) (Characters.lines (metadataText metadata))
       ++ ["FORMAT=32-bit_rle_rgbe", "", "-Y " ++ show height ++ " +X " ++ show width]
 
--- | The encoded rows of a band, in order.
+-- | The encoded rows of a band, in order. Negative components and NaN become 0;
+-- components above 1e38 become 1e38. Rows are run-length encoded where the format allows
+-- it (8 to 32767 pixels). The bytes do not depend on the number of workers.
 hdrRows :: Workers -> Film -> IO [ByteString]
 hdrRows workers film = mapShared workers (pure . codedRow) (mapMaybe (pixelRow film) [0 .. shapeHeight shape - 1])
   where

@@ -5,11 +5,11 @@
 -- The filter of every row subtracts the pixel to the left from each pixel, which for
 -- rendered pictures is within a few per cent of the best filter for each row. Strips of
 -- rows are compressed independently ("BlackHole.Image.Deflate") and form one zlib
--- stream.
+-- stream, which is why no library's encoder serves here: all of them use one thread and
+-- need the whole picture.
 module BlackHole.Image.Png
   ( Codes (..),
     encodePng,
-    encodePngBands,
     pngMetadata,
   )
 where
@@ -31,7 +31,6 @@ import Data.ByteString.Builder (Builder)
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Char8 as Characters
 import Data.ByteString.Internal (unsafeCreate)
-import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.Vector.Storable as Vector
 import Data.Word (Word16, Word64, Word8)
 import Foreign.Marshal.Alloc (allocaBytes)
@@ -43,26 +42,18 @@ data Codes
   = Codes8 !(PixelArray Word8)
   | Codes16 !(PixelArray Word16)
 
--- | An RGB PNG with its metadata, marked as sRGB and without a time stamp: equal pixels
--- give equal bytes, for any number of workers. Takes about 15 ns per pixel, and three
--- times that in 16 bits.
-encodePng :: Workers -> Metadata -> Codes -> IO Lazy.ByteString
-encodePng workers metadata codes = do
-  strips <- mapShared workers (pure . compressedStrip codes) (stripsOf shape (codeBytes codes))
-  pure . Lazy.fromChunks $
-    pngStart metadata shape (codeBytes codes) : [piece | Strip _ piece <- strips] ++ [pngEnd (mconcat [total | Strip total _ <- strips])]
-  where
-    shape = codesShape codes
-
--- | @encodePngBands workers metadata shape bytes rowsOf put@ writes the file of
--- 'encodePng' for a picture that need not be in memory as a whole. @rowsOf (first,
--- count)@ returns consecutive bands of rows, each of several megabytes of pixels. The
--- workers ask such a band for the codes of a few rows, again by first row and count
--- within the picture, with @bytes@ bytes per number. @put@ receives the bytes of the
--- file. The result is 'False', and the file truncated, as soon as a band or rows of it
--- are missing or have another shape.
-encodePngBands :: Workers -> Metadata -> PixelShape -> Int -> ((Int, Int) -> IO (Maybe ((Int, Int) -> Maybe Codes))) -> (ByteString -> IO ()) -> IO Bool
-encodePngBands workers metadata shape bytes rowsOf put =
+-- | @encodePng workers metadata shape bytes rowsOf put@ writes an RGB PNG with its
+-- metadata, marked as sRGB and without a time stamp. The picture need not be in memory as
+-- a whole: @rowsOf (first, count)@ returns consecutive bands of rows, each of several
+-- megabytes of pixels. The workers ask such a band for the codes of a few rows, again by
+-- first row and count within the picture, with @bytes@ bytes per number. @put@ receives
+-- the bytes of the file. The result is 'False', and the file truncated, as soon as a band
+-- or rows of it are missing or have another shape.
+--
+-- Equal pixels give equal bytes for any number of workers. Takes about 15 ns per pixel,
+-- and three times that in 16 bits.
+encodePng :: Workers -> Metadata -> PixelShape -> Int -> ((Int, Int) -> IO (Maybe ((Int, Int) -> Maybe Codes))) -> (ByteString -> IO ()) -> IO Bool
+encodePng workers metadata shape bytes rowsOf put =
   go mempty [pngStart metadata shape bytes] (inGroups (stripsOf shape bytes))
   where
     go !total ready [] = True <$ mapM_ put (ready ++ [pngEnd total])

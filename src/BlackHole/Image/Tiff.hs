@@ -7,7 +7,6 @@
 -- linear light, so these files contain the film's own light.
 module BlackHole.Image.Tiff
   ( TiffPixels (..),
-    encodeTiff,
     tiffHeader,
     tiffRows,
     tiffMetadata,
@@ -23,11 +22,9 @@ import BlackHole.Render.PixelShape
 import Data.Bits (Bits, shiftR)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
-import Data.ByteString.Builder (Builder)
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Char8 as Characters
 import Data.ByteString.Internal (unsafeCreate)
-import qualified Data.ByteString.Lazy as Lazy
 import Data.List (sortOn)
 import Data.Vector.Storable (Storable)
 import qualified Data.Vector.Storable as Vector
@@ -41,30 +38,21 @@ data TiffPixels
   | -- | Linear light.
     TiffLight !Film
 
--- | A little-endian RGB file with its metadata as the image description. 'Nothing' for
--- pictures of 4 GiB or more, which the format cannot hold. The rows are produced
--- lazily.
-encodeTiff :: Metadata -> TiffPixels -> Maybe Lazy.ByteString
-encodeTiff metadata pixels =
-  (\header -> Builder.toLazyByteString (header <> tiffRows pixels)) <$> tiffHeader metadata bits (shapeWidth shape, shapeHeight shape)
-  where
-    (shape, bits) = case pixels of
-      TiffCodes codes -> (pixelArrayShape codes, 16)
-      TiffLight film -> (pixelArrayShape film, 32)
-
--- | The bytes of a band's numbers.
-tiffRows :: TiffPixels -> Builder
+-- | The rows of a band as they are in the file.
+tiffRows :: TiffPixels -> [ByteString]
 tiffRows pixels = case pixels of
   TiffCodes codes -> littleEndianRows 2 (pixelArrayShape codes) (toPixelVector codes)
   TiffLight film -> littleEndianRows 4 (pixelArrayShape film) (Vector.unsafeCast (toPixelVector film) :: Vector.Vector Word32)
 
--- | @tiffHeader metadata bits (width, height)@ is everything before the pixels, for 16-bit
--- codes or 32-bit floating point.
-tiffHeader :: Metadata -> Int -> (Int, Int) -> Maybe Builder
+-- | @tiffHeader metadata bits (width, height)@ is everything before the rows of a
+-- little-endian RGB file of 16-bit codes or 32-bit floating point, with the metadata as
+-- its image description. 'Nothing' for pictures of 4 GiB or more, which the format cannot
+-- hold.
+tiffHeader :: Metadata -> Int -> (Int, Int) -> Maybe ByteString
 tiffHeader metadata bits (width, height)
   | toInteger width * toInteger height * 3 * toInteger (bits `quot` 8) > 0xf0000000 = Nothing
   | otherwise =
-    Just $
+    Just . strict $
       Builder.string7 "II" <> Builder.word16LE 42 <> Builder.word32LE 8
         <> Builder.word16LE (fromIntegral (length entries))
         <> mconcat [Builder.word16LE tag <> Builder.word16LE kind <> Builder.word32LE count <> value | (tag, kind, count, value) <- placed]
@@ -116,8 +104,8 @@ tiffHeader metadata bits (width, height)
       | otherwise = (tag, kind, count, Builder.byteString (Bytes.take 4 (content <> Bytes.replicate 4 0))) : place at rest
 
 -- | The numbers of every row, lowest byte first, produced lazily.
-littleEndianRows :: (Storable e, Integral e, Bits e) => Int -> PixelShape -> Vector.Vector e -> Builder
-littleEndianRows bytes shape numbers = foldMap (Builder.byteString . row) [0 .. shapeHeight shape - 1]
+littleEndianRows :: (Storable e, Integral e, Bits e) => Int -> PixelShape -> Vector.Vector e -> [ByteString]
+littleEndianRows bytes shape numbers = map row [0 .. shapeHeight shape - 1]
   where
     size = shapeRowLength shape
     row y = unsafeCreate (bytes * size) $ \out ->

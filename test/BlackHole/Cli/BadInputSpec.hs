@@ -28,6 +28,7 @@ import qualified Data.ByteString.Char8 as Characters
 import qualified Data.ByteString.Lazy as Lazy
 import Data.List (intercalate)
 import qualified Data.Vector.Storable as Vector
+import Support.Exposing
 import Support.Program (quietly)
 import System.Exit (ExitCode (..))
 import System.FilePath ((</>))
@@ -83,7 +84,7 @@ spec = do
   it "takes at most 1024 scenes from the metadata of a picture with motion blur, in every format" $
     forM_ [minBound .. maxBound] $ \format -> do
       let film = pixelShape 2 2 3 >>= (`fromPixelVector` Vector.replicate 12 0.5)
-          written text = join <$> traverse (encodeFile oneWorker format (Metadata "b" defaultCoding text) development noLayers) film
+          written text = join <$> traverse (encoded oneWorker format (Metadata "b" defaultCoding text) development noLayers) film
           development = Development (Exposure 0) ToneFilm NoDither
           lineCount = length (Characters.lines sceneBytes)
           forged n count = sceneBytes <> lined (("# moments " ++ show (n + 1)) : replicate n ("# moment with lines " ++ show count))

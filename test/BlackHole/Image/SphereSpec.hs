@@ -46,7 +46,7 @@ spec = do
       Lazy.writeFile (folder </> name) bytes
       Characters.unpack <$> toolOutput tool ["--info", "-v", folder </> name]
     file format = do
-      exposed <- exposeCounted Nothing oneWorker (const (pure ())) scene (0, 20)
+      exposed <- exposeFilm Nothing oneWorker (const (pure ())) scene (0, 20)
       maybe (pure Lazy.empty) (fmap (fromMaybe Lazy.empty) . pictureBytes oneWorker "blackhole 1" format defaultCoding (scene :| [])) exposed
       where
         scene = view 360 (40, 20)
