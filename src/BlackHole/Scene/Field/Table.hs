@@ -321,10 +321,10 @@ disk :: Part Gas.Disk a -> Part Scene a
 disk = inside (Part sceneDisk (\d s -> s {sceneDisk = Just d}))
 
 -- | 'DiskColour' without its parameters.
-data Glow = RampGlow | BlackBodyGlow | BolometricGlow
+data ColourKind = RampGlow | BlackBodyGlow | BolometricGlow
   deriving (Eq)
 
-glowPart :: Part Scene Glow
+glowPart :: Part Scene ColourKind
 glowPart = disk (part (glowOf . Gas.diskColour) (\glow d -> d {Gas.diskColour = colourOf glow (Gas.diskColour d)}))
   where
     glowOf HueRamp = RampGlow
