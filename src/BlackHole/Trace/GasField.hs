@@ -255,7 +255,8 @@ gasAt field place@(XYZ x y z) !r !len !slant
         !heat
           | fieldHeat field == 0 = 0
           | otherwise = fieldHeat field * (swirl + armFluctuation (fieldArmDepth field) wave) - valueAt (fieldDetail field) resolved 2 - fieldArmHeat field
-     in Here (dense + thin) (heat * (dense / (dense + thin + 1e-300)))
+     in -- A literal below 1e-99 would be computed anew each time, on the heap (GHC 9.2 and later).
+        Here (dense + thin) (heat * (dense / (dense + thin + 1e-99)))
   where
     row = rowAt (fieldRadial field) r
     profile = valueAt (fieldRadial field) row 0
