@@ -125,6 +125,13 @@ crossingLines scene crossings = titles : map line crossings
       ]
         ++ [decimal (shiftFactor shifts shift) | not everything]
 
+-- | The part of g that applies to light from the gas. The observer's own motion belongs
+-- to the gravitational part ('Redshift').
+shiftFactor :: Shifts -> Redshift -> Double
+shiftFactor (Shifts doppler gravity) shift =
+  (if gravity then redshiftGravitational shift else 1)
+    * (if doppler then redshiftDoppler shift else 1)
+
 -- | The light along the line of sight.
 lightLines :: Sighting -> [String]
 lightLines sighting =

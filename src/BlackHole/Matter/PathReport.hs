@@ -9,7 +9,6 @@ module BlackHole.Matter.PathReport
     PathDifference (..),
     reportDifference,
     PathPoint (..),
-    leapfrogStartRadius,
   )
 where
 
@@ -28,6 +27,7 @@ import BlackHole.Spacetime.Types (Spacetime (Schwarzschild))
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
 import qualified BlackHole.Vector.XYZ as XYZ
+import Data.Functor (void)
 import Data.Maybe (mapMaybe)
 
 -- | The report. Lengths are in Schwarzschild radii, angles in radians.
@@ -272,6 +272,6 @@ reportDifference a b =
   where
     by field = (-) <$> field a <*> field b
     -- The angle to infinity and the angle to the horizon cannot be compared.
-    sameEnd value = if (() <$ reportFate a) == (() <$ reportFate b) then value else Nothing
+    sameEnd value = if void (reportFate a) == void (reportFate b) then value else Nothing
     crossing (PlaneCrossing r azimuth g) (PlaneCrossing r' azimuth' g') =
       PlaneCrossing (r - r') (wrappedAngle (azimuth - azimuth')) (g - g')

@@ -1,13 +1,14 @@
 -- | Light followed through any of the spacetimes: its segments, its end, its crossings of
 -- the disk's plane, and how neighbouring rays differ.
 --
--- This is the only place that tells the spacetimes apart. Everything that shines or
--- absorbs sees path segments ("BlackHole.Spacetime.LightPath"). Another stationary,
--- axisymmetric spacetime would be another alternative of the functions below.
+-- Everything that shines or absorbs sees path segments alone
+-- ("BlackHole.Spacetime.LightPath"). Another stationary, axisymmetric spacetime would be
+-- another alternative of the functions below.
 module BlackHole.Spacetime.Follow
   ( Tracing (..),
     Method (..),
     tracing,
+    tracingNeedsTable,
     follow,
     pathFate,
     planeCrossings,
@@ -36,7 +37,8 @@ import BlackHole.Spacetime.Schwarzschild.TablePath
 import BlackHole.Spacetime.Schwarzschild.Trajectory
 import BlackHole.Spacetime.Schwarzschild.TrajectoryPoints
 import BlackHole.Spacetime.Types (Spacetime (..))
-import BlackHole.Vector.XYZ (XYZ (..))
+import BlackHole.Vector.XY (XY (..))
+import BlackHole.Vector.XYZ (XYZ (..), (*^), (^-^))
 import qualified BlackHole.Vector.XYZ as XYZ
 
 -- | A spacetime, and how to follow light to a camera in it.
@@ -55,6 +57,13 @@ data Method = ByTable | InClosedForm | ByLeapfrog !Leapfrog
 -- | @tracing space method r@ is for a camera at the distance @r@ from the hole.
 tracing :: Spacetime -> Method -> Double -> Tracing
 tracing space method r = Tracing space method (lensTable r)
+
+-- | Whether light is followed by the table of paths.
+tracingNeedsTable :: Tracing -> Bool
+tracingNeedsTable traced = case (tracingMethod traced, tracingSpacetime traced) of
+  (_, Kerr _) -> False
+  (ByTable, _) -> True
+  _ -> False
 
 -- | @follow tracing region phase sight gather state@ follows a line of sight to its end
 -- and passes the segments inside the region to the gathering function. The phase, 0 to
@@ -141,14 +150,27 @@ pathDeflection traced sight = case sight of
     path | Escaped _ <- kerrFate path -> subtract (kerrStraightAngle ray) <$> kerrSweptAngle path
     _ -> Nothing
 
--- | @skyJacobian tracing sight direction neighbour neighbour@ are the derivatives of the
--- direction in which a line of sight escapes, towards two neighbours from the same
--- position ('lensChanges'). 'Nothing' where they are not known; differences of directions
--- then have to serve.
-skyJacobian :: Tracing -> SightLine -> XYZ -> SightLine -> SightLine -> Maybe LensChanges
-skyJacobian (Tracing space _ table) sight direction neighbour1 neighbour2 = case (space, sight, neighbour1, neighbour2) of
-  (Schwarzschild, SightLine photon _, SightLine photon1 _, SightLine photon2 _) -> lensChanges table photon direction photon1 photon2
+-- | @skyJacobian tracing beside sight direction@ are the derivatives of the direction in
+-- which a line of sight escapes with respect to the two components of an offset, where
+-- @beside@ is the line of sight at an offset from the same position. 'Nothing' where
+-- neither the table of paths ('lensChanges') nor differences towards both sides offer
+-- them.
+skyJacobian :: Tracing -> (XY -> Maybe SightLine) -> SightLine -> XYZ -> Maybe LensChanges
+skyJacobian traced beside sight direction = case (tracingSpacetime traced, sight) of
+  (Schwarzschild, SightLine photon _)
+    | Just (SightLine right _) <- beside (XY 0.01 0),
+      Just (SightLine below _) <- beside (XY 0 0.01),
+      Just (LensChanges alongX alongY) <- lensChanges (tracingTable traced) photon direction right below ->
+      Just (LensChanges ((1 / 0.01) *^ alongX) ((1 / 0.01) *^ alongY))
+  (_, RotatingSight {})
+    | Just right <- beside (XY 1e-3 0) >>= escape,
+      Just below <- beside (XY 0 1e-3) >>= escape ->
+      Just (LensChanges ((1 / 1e-3) *^ (right ^-^ direction)) ((1 / 1e-3) *^ (below ^-^ direction)))
   _ -> Nothing
+  where
+    escape neighbour = case pathFate traced neighbour of
+      Escaped there -> Just there
+      _ -> Nothing
 
 -- | A smooth measure of the distance of a line of sight from the edge of the shadow, 0 on
 -- it and positive inside: about a quarter of the angle in radians for an observer at rest

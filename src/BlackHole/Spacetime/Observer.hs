@@ -24,7 +24,6 @@ module BlackHole.Spacetime.Observer
 where
 
 import BlackHole.Spacetime.Kerr.Landmarks
-import BlackHole.Spacetime.Kerr.Path (Azimuth (..))
 import BlackHole.Spacetime.Kerr.Sight
 import BlackHole.Spacetime.Momentum (staticFrequency)
 import BlackHole.Spacetime.Photon

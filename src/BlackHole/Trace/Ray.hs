@@ -13,8 +13,6 @@ module BlackHole.Trace.Ray
     -- * Its parts
     followSight,
     tracedGas,
-    tracedSky,
-    tracedDifferential,
 
     -- * The sky shared by the samples of a pixel
     SkyPatch,
@@ -40,6 +38,7 @@ import BlackHole.Trace.Tracer
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ, (*^), (^-^))
 import qualified BlackHole.Vector.XYZ as XYZ
+import Control.Monad ((>=>))
 import GHC.Exts (lazy)
 
 -- | Follows a line of sight by the scene's integrator and passes the segments that may
@@ -174,26 +173,13 @@ tracedSky prepared point sight fate = case fate of
 -- they are not known, the paths through points beside it. 'Nothing' if no light arrives
 -- from the sky.
 tracedDifferential :: Tracer -> XY -> SightLine -> XYZ -> Maybe RayDifferential
-tracedDifferential prepared point sight direction = case sight of
-  SightLine _ _
-    | Just beside <- sightAt (XY step 0),
-      Just below <- sightAt (XY 0 step),
-      Just (LensChanges alongX alongY) <- skyJacobian (tracerPaths traced) sight direction beside below ->
-      Just (RayDifferential direction ((1 / step) *^ alongX) ((1 / step) *^ alongY))
-  -- Two evaluations, where the general way takes three.
-  RotatingSight {}
-    | Just beside <- escape (XY step 0),
-      Just below <- escape (XY 0 step) ->
-      Just (RayDifferential direction ((1 / step) *^ (beside ^-^ direction)) ((1 / step) *^ (below ^-^ direction)))
-  _ -> differentialByDifferences escape (XY 0 0)
+tracedDifferential prepared point sight direction = case skyJacobian (tracerPaths traced) beside sight direction of
+  Just (LensChanges alongX alongY) -> Just (RayDifferential direction alongX alongY)
+  Nothing -> differentialByDifferences (beside >=> escapeDirection traced) (XY 0 0)
   where
     -- As in 'sharingRadiance'.
     traced = lazy prepared
-    step = case sight of
-      SightLine _ _ -> 0.01
-      RotatingSight {} -> 1e-3
-    sightAt = sightBesidePoint traced point
-    escape offset = sightAt offset >>= escapeDirection traced
+    beside = sightBesidePoint traced point
 
 -- | The direction in which a line of sight escapes, disregarding gas, if it does.
 escapeDirection :: Tracer -> SightLine -> Maybe XYZ

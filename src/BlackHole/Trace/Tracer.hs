@@ -16,11 +16,10 @@ import BlackHole.Light.Display (Exposure (..))
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Disk (Disk)
 import BlackHole.Scene.Scene
-import BlackHole.Scene.Shifts (SkyShift, noSkyShift, skyShiftAt)
+import BlackHole.Scene.Shifts (SkyShift, skyShiftAt)
 import BlackHole.Spacetime.Follow
 import BlackHole.Spacetime.LightPath
 import BlackHole.Spacetime.Observer
-import BlackHole.Spacetime.Types (Spacetime (..))
 import BlackHole.Trace.EnvironmentMap (EnvironmentMap)
 import BlackHole.Trace.Gas
 import BlackHole.Trace.Grid
@@ -71,9 +70,7 @@ tracerWithSky picture scene = do
         tracerScene = scene,
         tracerGain = 2 ** stops,
         tracerEye = eye (sceneSpacetime scene) (sceneObserver scene) place,
-        tracerSkyShift = case sceneSpacetime scene of
-          Flat -> noSkyShift
-          space -> skyShiftAt (sceneShifts scene) (frequencyAtRest space place),
+        tracerSkyShift = skyShiftAt (sceneShifts scene) (frequencyAtRest (sceneSpacetime scene) place),
         tracerRegion = sceneRegion scene,
         tracerPaths = tracing (sceneSpacetime scene) method (XYZ.norm place),
         tracerMatter = matter,
@@ -100,12 +97,9 @@ tracerWithSky picture scene = do
 -- parallel. Otherwise the first ray that needs a part waits for it.
 tracerTables :: Tracer -> [()]
 tracerTables traced =
-  seq (tracerMatter traced) () : seq (tracerSky traced) () : [seq (tracingTable (tracerPaths traced)) () | sceneIntegrator scene == Tabulated, not (rotates (sceneSpacetime scene))]
+  seq (tracerMatter traced) () : seq (tracerSky traced) () : [seq (tracingTable paths) () | tracingNeedsTable paths]
   where
-    scene = tracerScene traced
-    rotates space = case space of
-      Kerr _ -> True
-      _ -> False
+    paths = tracerPaths traced
 
 -- | The angle in radians that a pixel in the middle of the picture spans.
 pixelWidth :: Scene -> Double

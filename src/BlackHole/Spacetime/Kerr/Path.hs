@@ -5,7 +5,6 @@
 -- ("BlackHole.Spacetime.Kerr.PowerSeries").
 module BlackHole.Spacetime.Kerr.Path
   ( KerrPath,
-    Azimuth (..),
     kerrPath,
     kerrFate,
     kerrMinoTime,
@@ -51,13 +50,6 @@ data KerrPath = KerrPath
     -- 'Nothing' for a ray without one, which is nearly radial.
     kerrSweptAngle :: Maybe Double
   }
-
--- | An azimuth of the observer in radians: Boyer–Lindquist's φ, or the ingoing
--- azimuth @φ + a\/(r₊ − r₋) ln |(r − r₊)\/(r − r₋)|@, which is regular at the
--- horizon and equal to φ at infinity. An observer inside the horizon must have the
--- latter.
-data Azimuth = BoyerLindquist !Double | Ingoing !Double
-  deriving (Eq, Show)
 
 -- | A point of a path.
 data KerrPoint = KerrPoint

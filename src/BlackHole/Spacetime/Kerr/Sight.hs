@@ -10,6 +10,7 @@
 module BlackHole.Spacetime.Kerr.Sight
   ( Place (..),
     Motion (..),
+    Azimuth (..),
     Direction (..),
     LightRay (..),
     lightRay,
@@ -24,6 +25,13 @@ data Place = Place
   { placeRadius :: !Double,
     placePolarAngle :: !Double
   }
+  deriving (Eq, Show)
+
+-- | An azimuth of the observer in radians: Boyer–Lindquist's φ, or the ingoing
+-- azimuth @φ + a\/(r₊ − r₋) ln |(r − r₊)\/(r − r₋)|@, which is regular at the
+-- horizon and equal to φ at infinity. An observer inside the horizon must have the
+-- latter.
+data Azimuth = BoyerLindquist !Double | Ingoing !Double
   deriving (Eq, Show)
 
 -- | How an observer moves.

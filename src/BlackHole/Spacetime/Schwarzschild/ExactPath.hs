@@ -7,7 +7,6 @@
 -- length only decides where the gas is sampled.
 module BlackHole.Spacetime.Schwarzschild.ExactPath
   ( followExact,
-    straightImpact,
   )
 where
 

@@ -27,7 +27,7 @@ import BlackHole.Spacetime.Photon
 import BlackHole.Spacetime.Schwarzschild.LeapfrogStep
 import BlackHole.Spacetime.Types (Spacetime, pullOfGravity)
 import BlackHole.Vector.XY (XY (..))
-import BlackHole.Vector.XYZ (XYZ (..))
+import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
 import qualified BlackHole.Vector.XYZ as XYZ
 
 -- | The parameters of the integration.
@@ -88,9 +88,9 @@ followThree leapfrog@(Leapfrog rule skyRadius limit) spacetime region (photon0, 
     InPlane a00 b00 u00 v00 = startInPlane photon0
     InPlane a10 b10 u10 v10 = startInPlane photon1
     InPlane a20 b20 u20 v20 = startInPlane photon2
-    !plane0@(Plane _ heightA0 heightB0 pull0 _) = orbitalPlane spacetime photon0
-    !plane1@(Plane _ heightA1 heightB1 pull1 _) = orbitalPlane spacetime photon1
-    !plane2@(Plane _ heightA2 heightB2 pull2 _) = orbitalPlane spacetime photon2
+    !plane0@(Plane _ _ heightA0 heightB0 pull0) = orbitalPlane spacetime photon0
+    !plane1@(Plane _ _ heightA1 heightB1 pull1) = orbitalPlane spacetime photon1
+    !plane2@(Plane _ _ heightA2 heightB2 pull2) = orbitalPlane spacetime photon2
     !sky2 = skyRadius * skyRadius
     -- Above this height, half a step does not reach the gas.
     !clear = tallestHeight region + longestNearGas rule region
@@ -161,27 +161,30 @@ followThree leapfrog@(Leapfrog rule skyRadius limit) spacetime region (photon0, 
                 followAlone leapfrog region plane2 gather2 n start2 s2
               )
     {-# INLINE begin #-}
-    meet plane@(Plane inPlane _ _ _ _) gather dt start middle after state
+    meet plane gather dt start middle after state
       | insideRegion region place = gather state (segmentInPlane plane dt place start middle after)
       | otherwise = Continue state
       where
-        place = inSpace inPlane middle
+        place = placeInSpace plane middle
 
--- | The plane of a path, the heights of its unit vectors above the disk's plane,
--- @−(3\/2) h²@, and the real photon's angular momentum about the axis.
+-- | The plane of a path: its two unit vectors, their heights above the disk's plane, and
+-- @−(3\/2) h²@. The vectors are pointers, so that the loop carries two words and not six.
 data Plane
   = Plane
-      !PathPlane
-      {-# UNPACK #-} !Double
+      !XYZ
+      !XYZ
       {-# UNPACK #-} !Double
       {-# UNPACK #-} !Double
       {-# UNPACK #-} !Double
 
 orbitalPlane :: Spacetime -> Photon -> Plane
-orbitalPlane spacetime photon = Plane plane height1 height2 (negate (pullOfGravity spacetime * XYZ.normSquared h)) (negate hy)
+orbitalPlane spacetime photon = Plane e1 e2 height1 height2 (negate (pullOfGravity spacetime * XYZ.normSquared (angularMomentum photon)))
   where
-    h@(XYZ _ hy _) = angularMomentum photon
-    !plane@(PathPlane (XYZ _ height1 _) (XYZ _ height2 _)) = launchPlane (launch (XYZ.norm (photonPosition photon)) photon)
+    Launch (PathPlane e1@(XYZ _ height1 _) e2@(XYZ _ height2 _)) _ _ = launch (XYZ.norm (photonPosition photon)) photon
+
+placeInSpace :: Plane -> XY -> XYZ
+placeInSpace (Plane e1 e2 _ _ _) (XY a b) = a *^ e1 ^+^ b *^ e2
+{-# INLINE placeInSpace #-}
 
 -- | Position and velocity in the plane's own coordinates.
 data InPlane
@@ -198,7 +201,7 @@ startInPlane photon = InPlane r 0 radial tangential
     Launch _ radial tangential = launch r photon
 
 segmentInPlane :: Plane -> Double -> XYZ -> InPlane -> XY -> XY -> PathSegment
-segmentInPlane (Plane _ heightA heightB _ lambda) dt place (InPlane _ _ u0 v0) (XY a b) (XY u1 v1) =
+segmentInPlane (Plane (XYZ x1 _ z1) (XYZ x2 _ z2) heightA heightB _) dt place (InPlane _ _ u0 v0) (XY a b) (XY u1 v1) =
   PathSegment
     { segmentMiddle = place,
       segmentRadius = r,
@@ -206,7 +209,7 @@ segmentInPlane (Plane _ heightA heightB _ lambda) dt place (InPlane _ _ u0 v0) (
       segmentLength = dt * sqrt (u * u + v * v),
       segmentRadialStep = dt * radial / r,
       segmentVerticalStep = dt * (heightA * u + heightB * v),
-      segmentMomentum = Momentum (negate radial / (r - 1)) lambda
+      segmentMomentum = Momentum (negate radial / (r - 1)) ((a * v - b * u) * (x1 * z2 - z1 * x2))
     }
   where
     u = 0.5 * (u0 + u1)
@@ -255,7 +258,7 @@ followAlone ::
   InPlane ->
   a ->
   Followed a
-followAlone (Leapfrog rule skyRadius limit) region plane@(Plane inPlane heightA heightB pull _) gather first (InPlane a0 b0 u0 v0) state0 =
+followAlone (Leapfrog rule skyRadius limit) region plane@(Plane _ _ heightA heightB pull) gather first (InPlane a0 b0 u0 v0) state0 =
   withStepLength rule $ \lengthAt -> begin lengthAt
   where
     !sky2 = skyRadius * skyRadius
@@ -282,8 +285,8 @@ followAlone (Leapfrog rule skyRadius limit) region plane@(Plane inPlane heightA 
             !a' = ma + 0.5 * dt * u'
             !b' = mb + 0.5 * dt * v'
             !y = heightA * ma + heightB * mb
-            place = inSpace inPlane (XY ma mb)
-            escaped = case XYZ.normalize (inSpace inPlane (XY u v)) of
+            place = placeInSpace plane (XY ma mb)
+            escaped = case XYZ.normalize (placeInSpace plane (XY u v)) of
               Just direction -> Followed (Escaped direction) state n
               -- Reached only by a photon that never had a direction.
               Nothing -> Followed StepLimit state n
