@@ -31,7 +31,7 @@ benchmarks =
     bgroup
       "film of 1920 × 1080"
       [ bench "bloom" (nfIO (Ready <$> bloomFilm oneWorker 0.1 (filmOf ready))),
-        bench "development" (whnfIO (developFilm oneWorker (Exposure 0) ToneFilm BlueNoise (filmOf ready))),
+        bench "development" (whnfIO (developFilm oneWorker (Development (Exposure 0) ToneFilm noGrain BlueNoise) (filmOf ready))),
         file ready Png 8,
         file ready Png 16,
         file ready Jpeg 8,
@@ -45,7 +45,7 @@ benchmarks =
     file ready format bits =
       bench ("development and " ++ show format ++ " in " ++ show bits ++ " bits") . whnfIO $
         fmap Lazy.length
-          <$> encodeFile oneWorker format (Label "bench" (Coding (Just bits) Nothing) Bytes.empty) (Development (Exposure 0) ToneFilm BlueNoise) noLayers (filmOf ready)
+          <$> encodeFile oneWorker format (Label "bench" (Coding (Just bits) Nothing) Bytes.empty) (Development (Exposure 0) ToneFilm noGrain BlueNoise) noLayers (filmOf ready)
 
 -- | A third black, the rest smooth with some texture, like a rendering.
 gradient :: IO Film

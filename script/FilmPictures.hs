@@ -40,13 +40,13 @@ main = do
   withWorkers crew $ do
     exposed <- exposeFilm crew (const (pure ())) defaultScene {scenePicture = Picture wide high, sceneSamples = 4}
     film <- maybe (die "the default scene cannot be traced") pure exposed
-    toneMaps <- mapM (\tone -> sheetOf <$> developFilm crew plain tone BlueNoise film) [ToneFilm, ToneNone, ToneReinhard, ToneAces, ToneAgx]
+    toneMaps <- mapM (\tone -> sheetOf <$> developFilm crew (Development plain tone noGrain BlueNoise) film) [ToneFilm, ToneNone, ToneReinhard, ToneAces, ToneAgx]
     write crew folder "film-tone-maps.png" (inRows 2 (toneMaps ++ [channelByChannel film]))
     write crew folder "film-hue.png" (inRows 1 [wedge byChannel, wedge (applyToneMap ToneFilm)])
     write crew folder "film-red.png" (inRows 1 [strip towardsWhite, strip desaturateIntoGamut])
-    dithers <- mapM (\dither -> brightened . sheetOf <$> developFilm crew (Exposure (-6)) ToneFilm dither film) [NoDither, BlueNoise]
+    dithers <- mapM (\dither -> brightened . sheetOf <$> developFilm crew (Development (Exposure (-6)) ToneFilm noGrain dither) film) [NoDither, BlueNoise]
     write crew folder "film-dither.png" (inRows 2 dithers)
-    blooms <- mapM (\strength -> bloomFilm crew strength film >>= fmap sheetOf . developFilm crew plain ToneFilm BlueNoise) [0, 0.03, 0.1, 0.3]
+    blooms <- mapM (\strength -> bloomFilm crew strength film >>= fmap sheetOf . developFilm crew (Development plain ToneFilm noGrain BlueNoise)) [0, 0.03, 0.1, 0.3]
     write crew folder "film-bloom.png" (inRows 2 blooms)
   where
     plain = Exposure 0

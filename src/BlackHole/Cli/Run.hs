@@ -40,7 +40,7 @@ import BlackHole.Image.File (fileLabel)
 import BlackHole.Image.Finish
 import BlackHole.Image.Label
 import BlackHole.Image.TileFile
-import BlackHole.Render.Bloom
+import BlackHole.Render.Optics
 import BlackHole.Render.Film
 import BlackHole.Render.PixelArray (backendName, fromPixelVector, pixelArrayShape, toPixelVector)
 import BlackHole.Render.PixelShape (pixelShape, shapeHeight)
@@ -564,13 +564,14 @@ preview sky scene crew = do
   let (columns, textLines) = maybe (80, 24) (\(Terminal.Window h w) -> (w, h)) window
       Picture width height = scenePicture scene
       (across, down) = previewSize columns textLines (width, height)
-  exposed <- exposeFilmUnder sky crew (const (pure ())) scene {scenePicture = Picture across down}
+      small = scene {scenePicture = Picture across down}
+  exposed <- exposeFilmUnder sky crew (const (pure ())) small
   case exposed of
     Nothing -> untraceable
     Just film -> do
       _ <- warnOfFaults crew 0 film
-      bloomed <- bloomFilm crew (sceneBloom scene) film
-      codes <- developFilm crew (sceneExposure scene) (sceneToneMap scene) (sceneDither scene) bloomed
+      recorded <- opticsFilm crew small film
+      codes <- developFilm crew (sceneDevelopment small) recorded
       printed Done (previewText (palette isTerminal environment) codes)
 
 untraceable :: IO ExitStatus

@@ -1,7 +1,6 @@
 -- | Picture files of any format: a film's bytes, and a file's label.
 module BlackHole.Image.File
-  ( Development (..),
-    encodeFile,
+  ( encodeFile,
     fileLabel,
   )
 where
@@ -13,8 +12,7 @@ import BlackHole.Image.Jpeg
 import BlackHole.Image.Label
 import BlackHole.Image.Png
 import BlackHole.Image.Tiff
-import BlackHole.Light.Display (Exposure, ToneMap)
-import BlackHole.Light.Dither (Dither)
+import BlackHole.Light.Display (Development)
 import BlackHole.Render.Film
 import BlackHole.Render.Layer
 import BlackHole.Render.PixelArray (pixelArrayShape)
@@ -24,22 +22,13 @@ import Control.Applicative ((<|>))
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Lazy as Lazy
 
--- | The development of light for formats that store display codes.
-data Development = Development
-  { developmentExposure :: !Exposure,
-    developmentToneMap :: !ToneMap,
-    -- | For formats with 8 bits.
-    developmentDither :: !Dither
-  }
-  deriving (Eq, Show)
-
 -- | The bytes of a file, encoded as the label says; 'codingProblem' must accept that
 -- coding. Linear formats store the film's light without exposure and tone map. Only
 -- OpenEXR stores layers. 'Nothing' if the picture is too large for the format, or if
 -- the layers do not fit ('encodeExr'). The bytes do not depend on the number of
 -- workers.
 encodeFile :: Workers -> Format -> Label -> Development -> Layers -> Film -> IO (Maybe Lazy.ByteString)
-encodeFile crew format label (Development exposure tone dither) layers film = case (format, bits) of
+encodeFile crew format label development layers film = case (format, bits) of
   (Png, 16) -> Just <$> (fine >>= encodePng crew label . Codes16)
   (Png, _) -> Just <$> (coarse >>= encodePng crew label . Codes8)
   (Jpeg, _)
@@ -53,8 +42,8 @@ encodeFile crew format label (Development exposure tone dither) layers film = ca
     shape = pixelArrayShape film
     coding = labelCoding label
     bits = codingBitsOf format coding
-    coarse = developFilm crew exposure tone dither film
-    fine = developFilmFinely crew exposure tone film
+    coarse = developFilm crew development film
+    fine = developFilmFinely crew development 0 film
 
 -- | The label of a picture file written by this program; 'Nothing' for other files.
 fileLabel :: ByteString -> Maybe Label

@@ -16,10 +16,11 @@ import BlackHole.Image.Moments
 import BlackHole.Image.Png
 import BlackHole.Image.Tiff
 import BlackHole.Light.Display (developer)
-import BlackHole.Render.Bloom
 import BlackHole.Render.Film
 import BlackHole.Render.Layer
+import BlackHole.Render.Optics
 import BlackHole.Render.PixelShape (PixelShape, pixelShape)
+import BlackHole.Render.Pyramid (FilmBands)
 import BlackHole.Render.Workers (Workers, workersCount)
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.File.SceneFile (printScene)
@@ -33,17 +34,14 @@ import Data.Maybe (fromMaybe)
 import Data.Vector.Storable (Vector)
 import System.IO (Handle, hIsSeekable)
 
--- | @finishFilm workers software format coding scenes exposed@ applies bloom and then
+-- | @finishFilm workers software format coding scenes exposed@ applies the instrument's effects and then
 -- 'encodeFile'. The label contains the program's name and version and the scenes whose
 -- mean light the film is; the layers are those of the first scene. The bytes do not
 -- depend on the number of workers.
 finishFilm :: Workers -> String -> Format -> Coding -> NonEmpty Scene -> Exposed -> IO (Maybe Lazy.ByteString)
 finishFilm crew software format coding scenes@(scene :| _) exposed = do
-  bloomed <- bloomFilm crew (sceneBloom scene) (exposedLight exposed)
-  encodeFile crew format (pictureLabel software coding scenes) (developmentOf scene) (layersFor format scene (pure . countsRow scene exposed)) bloomed
-
-developmentOf :: Scene -> Development
-developmentOf scene = Development (sceneExposure scene) (sceneToneMap scene) (sceneDither scene)
+  recorded <- opticsFilm crew scene (exposedLight exposed)
+  encodeFile crew format (pictureLabel software coding scenes) (sceneDevelopment scene) (layersFor format scene (pure . countsRow scene exposed)) recorded
 
 layersFor :: Format -> Scene -> (Int -> IO (Vector Float)) -> Layers
 layersFor format scene counts
@@ -61,7 +59,7 @@ finishBands crew software format coding scenes@(scene :| _) sharpRows countsOf =
   shape <- pixelShape width height 3
   write <- written shape
   Just $ \handle -> do
-    bands <- bloomBands crew (sceneBloom scene) shape sharpRows
+    bands <- opticsBands crew scene shape sharpRows
     complete <- maybe (pure False) (write handle) bands
     unless complete $ ioError (userError "a part of the picture's light cannot be read any more")
   where
@@ -76,12 +74,12 @@ finishBands crew software format coding scenes@(scene :| _) sharpRows countsOf =
         header <- tiffHeader label bits (width, height)
         Just $ \handle rowsOf -> do
           Builder.hPutBuilder handle header
-          banded rowsOf $ \film -> do
-            numbers <- if bits == 32 then pure (TiffLight film) else TiffCodes <$> finely film
+          banded rowsOf $ \first film -> do
+            numbers <- if bits == 32 then pure (TiffLight film) else TiffCodes <$> finely first film
             Builder.hPutBuilder handle (tiffRows numbers)
       Hdr -> Just $ \handle rowsOf -> do
         Bytes.hPut handle (hdrHeader label (width, height))
-        banded rowsOf (hdrRows crew >=> mapM_ (Bytes.hPut handle))
+        banded rowsOf (const (hdrRows crew >=> mapM_ (Bytes.hPut handle)))
       Exr -> Just $ \handle rowsOf -> do
         let precision = if bits == 32 then Single else Half
         canSeek <- hIsSeekable handle
@@ -94,7 +92,7 @@ finishBands crew software format coding scenes@(scene :| _) sharpRows countsOf =
     -- The case in which the format or a pipe requires everything at once.
     whole handle rowsOf = do
       film <- rowsOf (0, height)
-      bytes <- maybe (pure Nothing) (encodeFile crew format label (developmentOf scene) layers) film
+      bytes <- maybe (pure Nothing) (encodeFile crew format label (sceneDevelopment scene) layers) film
       maybe (pure False) (\b -> True <$ Lazy.hPut handle b) bytes
     -- Enough rows to keep all workers busy.
     banded rowsOf act = go 0
@@ -104,15 +102,15 @@ finishBands crew software format coding scenes@(scene :| _) sharpRows countsOf =
           | otherwise = do
             let count = min (16 * workersCount crew) (height - first)
             band <- rowsOf (first, count)
-            maybe (pure False) (\film -> act film >> go (first + count)) band
+            maybe (pure False) (\film -> act first film >> go (first + count)) band
     codes rowsOf range = fmap (codesOf (fst range)) <$> rowsOf range
     codesOf bandFirst film (first, count) = do
       rows <- filmRows film (first - bandFirst, count)
       if bits == 16
-        then Codes16 <$> finelyDevelopedRows prepared rows
-        else Codes8 <$> developedRows prepared (sceneDither scene) first rows
-    prepared = developer (sceneExposure scene) (sceneToneMap scene)
-    finely = developFilmFinely crew (sceneExposure scene) (sceneToneMap scene)
+        then Codes16 <$> finelyDevelopedRows prepared first rows
+        else Codes8 <$> developedRows prepared first rows
+    prepared = developer (sceneDevelopment scene)
+    finely = developFilmFinely crew (sceneDevelopment scene)
 
 -- | The label of a picture of some scenes.
 pictureLabel :: String -> Coding -> NonEmpty Scene -> Label

@@ -88,6 +88,11 @@ data DiskColour
   | -- | The bolometric intensity of that profile, without colour: what all
     -- wavelengths together carry, as in Luminet's picture of 1979.
     Bolometric
+  | -- | Radio waves of an optically thin flow, without colour: synchrotron emission that
+    -- falls with the fourth power of the distance from the hole and with the frequency
+    -- (spectral index 1), so that the flow counts like a black body of a temperature
+    -- ∝ 1\/r. The brightness is that at r = 1.
+    Synchrotron
   deriving (Eq, Show)
 
 -- | The gas of the report's author.

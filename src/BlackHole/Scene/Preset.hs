@@ -47,6 +47,7 @@ describedPresets =
     Preset "lens-only" "no disk, only the sky distorted by the hole" defaultScene {sceneDisk = Nothing, sceneSky = SkyStars realSky {realSkyRotation = Degrees (-6), realSkyMilkyWay = 3}, sceneExposure = Exposure 2.5},
     Preset "photon-ring" "a close-up of the rings formed by light that has gone around the hole" photonRingScene,
     Preset "falling" "the view of an observer falling into the hole, at r = 2.6" fallingScene,
+    Preset "m87" "the shadow of the hole in the galaxy M87 as the Event Horizon Telescope sees it at a wavelength of 1.3 mm" m87Scene,
     Preset "kerr" "a hole that rotates almost as fast as possible, seen from close to the plane of its disk: a shadow like the letter D" kerrScene
   ]
 
@@ -85,7 +86,7 @@ interstellarScene =
               diskColour = BlackBody 3200
             },
       sceneShifts = Shifts False False,
-      sceneBloom = 0.05
+      sceneBloom = 0.1
     }
 
 luminetScene :: Scene
@@ -106,6 +107,7 @@ luminetScene =
               diskColour = Bolometric
             },
       sceneBloom = 0,
+      sceneGrain = 1.3,
       sceneSky = SkyNone
     }
 
@@ -122,6 +124,44 @@ fallingScene =
       sceneObserver = Falling,
       sceneExposure = Exposure (-3)
     }
+
+-- | The hole in the galaxy M87 at 230 GHz. Its Schwarzschild radius is 7.6 µas wide on the
+-- sky (a mass of 6.5e9 suns at 16.8 Mpc: Event Horizon Telescope Collaboration 2019,
+-- ApJL 875, L1), so that the picture is 164 µas wide and 92 high, the shadow 40, the beam
+-- 20, and the scale bar 50 µas long. The gas turns clockwise on the sky, and its axis is 17
+-- degrees from the line of sight, at right angles to the bright side in the south.
+m87Scene :: Scene
+m87Scene =
+  defaultScene
+    { sceneCamera = Camera (Around distance (Degrees 163) (Degrees 90)) (Degrees 90) (Degrees (2 * atan (0.5 * 164 * width / distance) * 180 / pi)),
+      sceneDisk =
+        Just
+          defaultDisk
+            { diskInnerRadius = 2,
+              diskOuterRadius = 6,
+              diskFade = 0.5,
+              diskThickness = 1.2,
+              diskOpacity = 0.15,
+              diskBrightness = 2900,
+              diskArms = 0,
+              diskTurbulence = 1.5,
+              diskTurbulenceFrequency = 3,
+              diskTurbulenceHeat = 0,
+              diskHaze = 0,
+              diskColour = Synchrotron
+            },
+      sceneSky = SkyNone,
+      sceneSamples = 1,
+      sceneNoise = 0,
+      sceneToneMap = ToneRadio,
+      sceneBloom = 0,
+      sceneBeam = 20 * width / distance * 180 / pi,
+      sceneScaleBar = 50 * width
+    }
+  where
+    -- In Schwarzschild radii, the size at the hole of one microarcsecond.
+    width = 1 / 7.6
+    distance = 1000
 
 kerrScene :: Scene
 kerrScene = maybe defaultScene around (spin 0.998)
@@ -148,6 +188,8 @@ defaultScene =
             cameraFieldOfView = Degrees 40
           },
       sceneProjection = Perspective,
+      sceneAperture = 0,
+      sceneFocus = 54,
       sceneObserver = Static,
       sceneSpacetime = Schwarzschild,
       sceneIntegrator = Tabulated,
@@ -164,7 +206,12 @@ defaultScene =
       sceneExposure = Exposure 0,
       sceneToneMap = ToneFilm,
       sceneDither = BlueNoise,
-      sceneBloom = 0.03,
+      sceneBeam = 0,
+      sceneBloom = 0.08,
+      sceneSpikes = 0,
+      sceneSpikeLight = 0.1,
+      sceneGrain = 0,
+      sceneScaleBar = 0,
       sceneSeed = 0
     }
 

@@ -103,4 +103,4 @@ workersCheck = do
       exposed <- exposeFilm crew (const (pure ())) scene
       case exposed of
         Nothing -> pure []
-        Just film -> Vector.toList . toPixelVector <$> developFilm crew (sceneExposure scene) (sceneToneMap scene) (sceneDither scene) film
+        Just film -> Vector.toList . toPixelVector <$> developFilm crew (sceneDevelopment scene) film

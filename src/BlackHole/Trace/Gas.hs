@@ -111,19 +111,21 @@ gas space seed shifts disk eye pixel samples =
         _ -> Nothing,
       gasGlow = case diskColour disk of
         HueRamp -> ByRadius (diskBrightness disk)
-        BlackBody peak -> let blackBody = blackBodyRadiance BlackBodyTable.Bolometric peak in byTemperature (\t -> blackBody (t * peak))
-        Bolometric -> byTemperature (\t -> grey (t * t * (t * t)))
+        BlackBody peak -> let blackBody = blackBodyRadiance BlackBodyTable.Bolometric peak in byTemperature thin (\t -> blackBody (t * peak))
+        Bolometric -> byTemperature thin bolometric
+        Synchrotron -> byTemperature recip bolometric
     }
   where
-    byTemperature light =
+    bolometric t = grey (t * t * (t * t))
+    thin = case space of
+      Kerr hole -> Kerr.relativeTemperature (Kerr.thinDisk hole)
+      _ -> relativeTemperature
+    byTemperature temperatureAt light =
       ByTemperature
         (tabulate 1 2048 (regionInnerRadius (diskRegion Fine disk)) (diskOuterRadius disk) (pure . temperatureAt))
         (tabulate 3 4096 0 hottest (\t -> let Radiance r g b = glow t in [r, g, b]))
         glow
       where
-        temperatureAt = case space of
-          Kerr hole -> Kerr.relativeTemperature (Kerr.thinDisk hole)
-          _ -> relativeTemperature
         glow t = scaleRadiance (diskBrightness disk) (light t)
 
 -- | Relative temperatures that are tabulated. Only somebody who falls or orbits

@@ -84,7 +84,7 @@ spec = do
     forM_ [minBound .. maxBound] $ \format -> do
       let film = pixelShape 2 2 3 >>= (`fromPixelVector` Vector.replicate 12 0.5)
           written text = join <$> traverse (encodeFile oneWorker format (Label "b" defaultCoding text) development noLayers) film
-          development = Development (Exposure 0) ToneFilm NoDither
+          development = Development (Exposure 0) ToneFilm noGrain NoDither
           lineCount = length (Characters.lines sceneBytes)
           forged n count = sceneBytes <> lined (("# moments " ++ show (n + 1)) : replicate n ("# moment with lines " ++ show count))
           scenesIn text = do

@@ -35,6 +35,6 @@ spec = do
       case film of
         Nothing -> expectationFailure "the scene is not valid"
         Just exposed -> do
-          codes <- developFilm oneWorker (sceneExposure scene) (sceneToneMap scene) (sceneDither scene) exposed
+          codes <- developFilm oneWorker (sceneDevelopment scene) exposed
           file <- encodePng oneWorker (Label "blackhole" defaultCoding Bytes.empty) (Codes8 codes)
           file `shouldMatchGolden` name

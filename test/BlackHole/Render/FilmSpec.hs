@@ -88,4 +88,4 @@ developed n = case workers n of
   Nothing -> pure Nothing
   Just crew -> withWorkers crew $ do
     film <- exposeFilm crew (const (pure ())) small
-    traverse (fmap toPixelVector . developFilm crew (Exposure 0) ToneFilm BlueNoise) film
+    traverse (fmap toPixelVector . developFilm crew (Development (Exposure 0) ToneFilm noGrain BlueNoise)) film
