@@ -19,22 +19,22 @@ import qualified Data.Vector.Storable.Mutable as MVector
 -- variance, of which the Gaussian has that much less. Rows are asked for as in
 -- 'BlackHole.Render.Bloom.bloomBands'.
 beamBands :: Workers -> Double -> PixelShape -> FilmBands -> IO (Maybe FilmBands)
-beamBands crew sigma shape rowsOf
-  | sigma > 0 = finestEnergy crew shape rowsOf >>= traverse spread
+beamBands workers sigma shape rowsOf
+  | sigma > 0 = finestEnergy workers shape rowsOf >>= traverse spread
   | otherwise = pure (Just rowsOf)
   where
     spread energy = do
       blurred <- blurredFrom 1 (coarserAxis (finestAxis (shapeWidth shape))) (coarserAxis (finestAxis (shapeHeight shape))) energy
-      pure (withSpread crew shape (1 - part) part blurred rowsOf)
+      pure (withSpread workers shape (1 - part) part blurred rowsOf)
     -- The first level alone has a variance of 1.5; a narrower beam takes less of it.
     part = realToFrac (min 1 (sigma * sigma / 1.5)) :: Float
     depth = max 1 (floor (logBase 2 (sigma / 2)))
     blurredFrom :: Int -> Axis -> Axis -> PixelArray Float -> IO (PixelArray Float)
     blurredFrom level across down energy
       | level < depth = do
-        coarser <- shrunk crew energy >>= blurredFrom (level + 1) (coarserAxis across) (coarserAxis down)
-        enlarged crew (pixelArrayShape energy) coarser
-      | otherwise = convolved crew (kernel level) across down energy
+        coarser <- shrunk workers energy >>= blurredFrom (level + 1) (coarserAxis across) (coarserAxis down)
+        enlarged workers (pixelArrayShape energy) coarser
+      | otherwise = convolved workers (kernel level) across down energy
     kernel level =
       let size = 4 ^ level
           variance = max 0 ((sigma * sigma - 0.5 * (size - 1)) / size) :: Double
@@ -45,10 +45,10 @@ beamBands crew sigma shape rowsOf
 
 -- | Means per finest pixel from a level's energy, under a kernel along both sides.
 convolved :: Workers -> Vector.Vector Float -> Axis -> Axis -> PixelArray Float -> IO (PixelArray Float)
-convolved crew kernel (Axis across) (Axis down) energy = do
-  lines' <- generateRows crew (const (pure ())) shape $ \y row ->
+convolved workers kernel (Axis across) (Axis down) energy = do
+  lines' <- generateRows workers (const (pure ())) shape $ \y row ->
     pixels $ \i x k -> MVector.unsafeWrite row i (total across x (\x' -> Vector.unsafeIndex (toPixelVector energy) (3 * (width * y + x') + k)))
-  generateRows crew (const (pure ())) shape $ \y row ->
+  generateRows workers (const (pure ())) shape $ \y row ->
     pixels $ \i x k -> MVector.unsafeWrite row i (total down y (\y' -> Vector.unsafeIndex (toPixelVector lines') (3 * (width * y' + x) + k)))
   where
     shape = pixelArrayShape energy

@@ -34,8 +34,8 @@ import System.Mem (performMajorGC)
 -- scatter nothing. The result is the same for any number of workers. It takes about
 -- 40 ns a pixel, and a third of the memory of another film.
 bloomFilm :: Workers -> Double -> Film -> IO Film
-bloomFilm crew strength film = do
-  bands <- bloomBands crew strength shape (pure . filmRows film)
+bloomFilm workers strength film = do
+  bands <- bloomBands workers strength shape (pure . filmRows film)
   bloomed <- maybe (pure Nothing) ($ (0, shapeHeight shape)) bands
   -- A film in memory has all its rows.
   pure (fromMaybe film bloomed)
@@ -46,8 +46,8 @@ bloomFilm crew strength film = do
 -- which each row is asked for once now, and once more when it is wanted. Keeps a
 -- quarter of the film's size in memory, and half of it for a moment.
 bloomBands :: Workers -> Double -> PixelShape -> FilmBands -> IO (Maybe FilmBands)
-bloomBands crew strength shape rowsOf
-  | strength > 0 = finestEnergy crew shape rowsOf >>= traverse spread
+bloomBands workers strength shape rowsOf
+  | strength > 0 = finestEnergy workers shape rowsOf >>= traverse spread
   | otherwise = pure (Just rowsOf)
   where
     width = shapeWidth shape
@@ -57,7 +57,7 @@ bloomBands crew strength shape rowsOf
       -- The finer levels' energies are large and of no use any more, but few:
       -- the collector would not notice them in time.
       performMajorGC
-      pure (withSpread crew shape (1 - scattered * Vector.sum shares) scattered glare rowsOf)
+      pure (withSpread workers shape (1 - scattered * Vector.sum shares) scattered glare rowsOf)
     scattered = realToFrac (min 1 strength) :: Float
     -- The finest level is half the film's size: the scattered part of a film of
     -- one pixel stays where it is.
@@ -68,9 +68,9 @@ bloomBands crew strength shape rowsOf
     glareOf level across down energy = do
       coarser <-
         if level < depth
-          then Just <$> (shrunk crew energy >>= glareOf (level + 1) (coarserAxis across) (coarserAxis down))
+          then Just <$> (shrunk workers energy >>= glareOf (level + 1) (coarserAxis across) (coarserAxis down))
           else pure Nothing
-      generateRows crew (const (pure ())) (pixelArrayShape energy) $ \y row ->
+      generateRows workers (const (pure ())) (pixelArrayShape energy) $ \y row ->
         levelRow (shares Vector.! (level - 1)) across down energy coarser y row
 
 -- | A level's own part of the glare, per pixel of the finest level, and what the

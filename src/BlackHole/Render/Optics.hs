@@ -16,7 +16,7 @@ import BlackHole.Render.PixelShape
 import BlackHole.Render.Pyramid (FilmBands)
 import BlackHole.Render.Spikes
 import BlackHole.Render.Workers (Workers)
-import BlackHole.Physics.Angle
+import BlackHole.Numeric.Angle
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Scene
 import Control.Monad.ST (ST)
@@ -29,8 +29,8 @@ import qualified Data.Vector.Storable.Mutable as MVector
 -- | A scene's film as the instrument records it; the film itself if the scene asks for no
 -- effect. The result does not depend on the number of workers.
 opticsFilm :: Workers -> Scene -> Film -> IO Film
-opticsFilm crew scene film = do
-  bands <- opticsBands crew scene shape (pure . filmRows film)
+opticsFilm workers scene film = do
+  bands <- opticsBands workers scene shape (pure . filmRows film)
   recorded <- maybe (pure Nothing) ($ (0, shapeHeight shape)) bands
   -- A film in memory has all its rows.
   pure (fromMaybe film recorded)
@@ -40,12 +40,12 @@ opticsFilm crew scene film = do
 -- | The same for a film of this shape by bands. Each effect asks for each row once now,
 -- and once more when it is wanted, and keeps a quarter of the film in memory.
 opticsBands :: Workers -> Scene -> PixelShape -> FilmBands -> IO (Maybe FilmBands)
-opticsBands crew scene shape rowsOf =
+opticsBands workers scene shape rowsOf =
   through
-    [beamBands crew (beamDeviation scene), bloomBands crew (sceneBloom scene), spikeBands crew (sceneSpikes scene) (sceneSpikeLight scene)]
+    [beamBands workers (beamDeviation scene), bloomBands workers (sceneBloom scene), spikeBands workers (sceneSpikes scene) (sceneSpikeLight scene)]
     rowsOf
   where
-    through [] bands = pure (Just (scaleBarBands crew scene bands))
+    through [] bands = pure (Just (scaleBarBands workers scene bands))
     through (effect : rest) bands = effect shape bands >>= maybe (pure Nothing) (through rest)
 
 -- | The standard deviation of the scene's beam in pixels of the middle of the picture.
@@ -58,8 +58,8 @@ beamDeviation scene = width / pixelAngle (sceneProjection scene) (sceneCamera sc
 -- | A white bar in the lower right corner, as long as the scene's scale bar would look
 -- beside the hole.
 scaleBarBands :: Workers -> Scene -> FilmBands -> FilmBands
-scaleBarBands crew scene rowsOf (first, rows)
-  | sceneScaleBar scene > 0 = rowsOf (first, rows) >>= traverse (mapRows crew (barRow . (first +)))
+scaleBarBands workers scene rowsOf (first, rows)
+  | sceneScaleBar scene > 0 = rowsOf (first, rows) >>= traverse (mapRows workers (barRow . (first +)))
   | otherwise = rowsOf (first, rows)
   where
     Picture width height = scenePicture scene

@@ -39,7 +39,7 @@ type FilmBands = (Int, Int) -> IO (Maybe Film)
 -- bands of the film. Pixels without a finite radiance count as black: a NaN would spread
 -- over the whole picture. 'Nothing' if a band is missing.
 finestEnergy :: Workers -> PixelShape -> FilmBands -> IO (Maybe (PixelArray Float))
-finestEnergy crew shape rowsOf = do
+finestEnergy workers shape rowsOf = do
   bands <- sequence <$> mapM energyOf [(from, min 64 (halved height - from)) | from <- [0, 64 .. halved height - 1]]
   pure $ do
     parts <- bands
@@ -56,29 +56,29 @@ finestEnergy crew shape rowsOf = do
         Nothing -> pure Nothing
         Just (light, smaller) -> do
           finite <- cleaned light
-          Just <$> generateRows crew ignore smaller (shrinkRow height first finite . (from +))
+          Just <$> generateRows workers ignore smaller (shrinkRow height first finite . (from +))
     cleaned band
       | Vector.all isFinite (toPixelVector band) = pure band
-      | otherwise = mapRows crew (const clean) band
+      | otherwise = mapRows workers (const clean) band
     clean old new = Vector.imapM_ (\i v -> MVector.unsafeWrite new i (if isFinite v then v else 0)) old
 
 -- | The next level: light, summed and not averaged, at half the size.
 shrunk :: Workers -> PixelArray Float -> IO (PixelArray Float)
-shrunk crew finer = case pixelShape (halved (shapeWidth size)) (halved (shapeHeight size)) 3 of
+shrunk workers finer = case pixelShape (halved (shapeWidth size)) (halved (shapeHeight size)) 3 of
   Nothing -> pure finer
-  Just smaller -> generateRows crew ignore smaller (shrinkRow (shapeHeight size) 0 finer)
+  Just smaller -> generateRows workers ignore smaller (shrinkRow (shapeHeight size) 0 finer)
   where
     size = pixelArrayShape finer
 
 -- | @enlarged workers shape coarser@: means on the finer level of this shape.
 enlarged :: Workers -> PixelShape -> PixelArray Float -> IO (PixelArray Float)
-enlarged crew shape coarser = generateRows crew ignore shape $ \y row ->
+enlarged workers shape coarser = generateRows workers ignore shape $ \y row ->
   enlargeRow coarser (shapeWidth shape) (shapeHeight shape) y (MVector.unsafeWrite row)
 
 -- | @withSpread workers shape kept gain spread rowsOf@: bands of the film with its light
 -- times @kept@, and with @gain@ times the light on the first level.
 withSpread :: Workers -> PixelShape -> Float -> Float -> PixelArray Float -> FilmBands -> FilmBands
-withSpread crew shape !kept !gain spread rowsOf (first, rows) = rowsOf (first, rows) >>= traverse (mapRows crew (blend . (first +)))
+withSpread workers shape !kept !gain spread rowsOf (first, rows) = rowsOf (first, rows) >>= traverse (mapRows workers (blend . (first +)))
   where
     blend :: Int -> Vector Float -> MVector s Float -> ST s ()
     blend y light row = enlargeRow spread (shapeWidth shape) (shapeHeight shape) y $ \i v ->

@@ -22,20 +22,20 @@ import qualified Data.Vector.Storable as Vector
 -- the picture along them is lost. Rows are asked for as in
 -- 'BlackHole.Render.Bloom.bloomBands'.
 spikeBands :: Workers -> Int -> Double -> PixelShape -> FilmBands -> IO (Maybe FilmBands)
-spikeBands crew blades strength shape rowsOf
-  | blades > 0 && strength > 0 = finestEnergy crew shape rowsOf >>= traverse spread
+spikeBands workers blades strength shape rowsOf
+  | blades > 0 && strength > 0 = finestEnergy workers shape rowsOf >>= traverse spread
   | otherwise = pure (Just rowsOf)
   where
     spread energy = do
       spiked <- spikesFrom (coarserAxis (finestAxis (shapeWidth shape))) (coarserAxis (finestAxis (shapeHeight shape))) energy
-      pure (withSpread crew shape (1 - part) part spiked rowsOf)
+      pure (withSpread workers shape (1 - part) part spiked rowsOf)
     part = realToFrac strength :: Float
     spikesFrom across down energy
       | max (shapeWidth size) (shapeHeight size) > 1024 = do
-        coarser <- shrunk crew energy >>= spikesFrom (coarserAxis across) (coarserAxis down)
-        enlarged crew size coarser
+        coarser <- shrunk workers energy >>= spikesFrom (coarserAxis across) (coarserAxis down)
+        enlarged workers size coarser
       | otherwise = do
-        spikes <- mapShared crew (pure . spike size (meanLight across down energy)) (spikeAngles blades)
+        spikes <- mapShared workers (pure . spike size (meanLight across down energy)) (spikeAngles blades)
         pure $ case (spikes, fromPixelVector size (foldr1 (Vector.zipWith (+)) (map (Vector.map (/ fromIntegral (length spikes))) spikes))) of
           (_ : _, Just summed) -> summed
           _ -> energy

@@ -14,15 +14,15 @@ where
 import BlackHole.Light.Display (Development (..), Exposure, ToneMap)
 import BlackHole.Light.Dither (Dither)
 import BlackHole.Light.Grain (Grain (..))
-import BlackHole.Physics.Leapfrog
-import BlackHole.Physics.LightPath (Region, emptyRegion)
-import BlackHole.Physics.Observer (Observer)
-import BlackHole.Physics.Spacetime (Spacetime)
 import BlackHole.Scene.Camera (Camera (cameraPose), Picture (..), Projection, pixelAngle, posePosition)
 import BlackHole.Scene.Disk
 import BlackHole.Scene.Filter (Filter)
 import BlackHole.Scene.Shifts (Shifts)
 import BlackHole.Scene.Sky (Sky)
+import BlackHole.Spacetime.LightPath (Region, emptyRegion)
+import BlackHole.Spacetime.Observer (Observer)
+import BlackHole.Spacetime.Schwarzschild.Leapfrog
+import BlackHole.Spacetime.Types (Spacetime)
 import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Word (Word64)
 

@@ -1,6 +1,6 @@
 module BlackHole.Render.OpticsSpec (spec) where
 
-import BlackHole.Physics.Angle
+import BlackHole.Numeric.Angle
 import BlackHole.Render.Beam
 import BlackHole.Render.Film
 import BlackHole.Render.Optics
@@ -53,7 +53,7 @@ spec = do
         peaks `shouldBe` count
         take 1 circle `shouldSatisfy` all (> 0.5 * maximum circle)
   it "has the same bytes for any number of workers" $ do
-    films <- mapM (\crew -> toPixelVector <$> opticsFilm crew scene {scenePicture = Picture 61 33} (filmOf 61 33 fromIntegral)) (mapMaybe workers [1, 2, 3])
+    films <- mapM (\workers -> toPixelVector <$> opticsFilm workers scene {scenePicture = Picture 61 33} (filmOf 61 33 fromIntegral)) (mapMaybe workersFromCount [1, 2, 3])
     films `shouldSatisfy` all (\film -> take 1 films == [film])
   it "does not spread a fault" $ do
     film <- opticsFilm oneWorker scene {scenePicture = Picture 64 36, sceneScaleBar = 0} (filmOf 64 36 (\i -> if i == 3000 then 0 / 0 else 1))

@@ -2,10 +2,10 @@
 module BlackHole.Trace.LensSpec (spec) where
 
 import BlackHole.Light.Radiance
-import BlackHole.Physics.Angle
-import BlackHole.Physics.Observer
-import BlackHole.Physics.Photon
-import BlackHole.Physics.Spacetime
+import BlackHole.Numeric.Angle
+import BlackHole.Spacetime.Observer
+import BlackHole.Spacetime.Photon
+import BlackHole.Spacetime.Types
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Field.Kind (Value (..))
 import BlackHole.Scene.Preset
