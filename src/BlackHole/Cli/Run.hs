@@ -40,8 +40,8 @@ import BlackHole.Image.File (fileLabel)
 import BlackHole.Image.Metadata
 import BlackHole.Image.TileFile
 import BlackHole.Image.Write
-import BlackHole.Render.Optics
 import BlackHole.Render.Film
+import BlackHole.Render.Optics
 import BlackHole.Render.PixelArray (backendName, fromPixelVector, pixelArrayShape, toPixelVector)
 import BlackHole.Render.PixelShape (pixelShape, shapeHeight)
 import BlackHole.Render.Shard (shardRows)

@@ -7,6 +7,7 @@ module BlackHole.Render.Optics
 where
 
 import BlackHole.Light.Display (Exposure (..))
+import BlackHole.Numeric.Angle
 import BlackHole.Render.Beam
 import BlackHole.Render.Bloom
 import BlackHole.Render.Film (Film, filmRows)
@@ -16,7 +17,6 @@ import BlackHole.Render.PixelShape
 import BlackHole.Render.Pyramid (FilmBands)
 import BlackHole.Render.Spikes
 import BlackHole.Render.Workers (Workers)
-import BlackHole.Numeric.Angle
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Scene
 import Control.Monad.ST (ST)

@@ -1,9 +1,9 @@
 module BlackHole.Light.GrainSpec (spec) where
 
 import BlackHole.Light.Display
+import BlackHole.Light.Dither
 import BlackHole.Light.Grain
 import BlackHole.Light.Radiance
-import BlackHole.Light.Dither
 import Control.Monad (forM_)
 import Support.Approx
 import Test.Hspec
@@ -19,7 +19,7 @@ spec = do
       let covers = map (grainCover grain x y) [0, 0.05 .. 1]
       zip covers (drop 1 covers) `shouldSatisfy` all (uncurry (<=))
   it "makes dots: most pixels of a grey area are black or white" $
-    meanOf [if c > 0.05 && c < 0.95 then 1 else 0 | (x, y) <- places, let c = grainCover (Grain 8 3) x y 0.4] `shouldSatisfy` (< 0.3)
+    meanOf [if c > 0.05 && c < 0.95 then 1 else 0 | (x, y) <- places, let { c = grainCover (Grain 8 3) x y 0.4 }] `shouldSatisfy` (< 0.3)
   it "differs between seeds" $
     map (\(x, y) -> grainCover grain x y 0.4) places `shouldNotBe` map (\(x, y) -> grainCover grain {grainSeed = 8} x y 0.4) places
   it "keeps a picture's hue, and black" $ do

@@ -3,9 +3,6 @@ module BlackHole.Trace.LensSpec (spec) where
 
 import BlackHole.Light.Radiance
 import BlackHole.Numeric.Angle
-import BlackHole.Spacetime.Observer
-import BlackHole.Spacetime.Photon
-import BlackHole.Spacetime.Types
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Field.Kind (Value (..))
 import BlackHole.Scene.Preset
@@ -13,6 +10,9 @@ import BlackHole.Scene.Scene
 import BlackHole.Scene.Setting
 import BlackHole.Scene.Sky
 import BlackHole.Scene.Validate
+import BlackHole.Spacetime.Observer
+import BlackHole.Spacetime.Photon
+import BlackHole.Spacetime.Types
 import BlackHole.Trace.Pixel
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ ((*^), (^+^), (^-^))
