@@ -40,10 +40,8 @@ opticsFilm workers scene film = do
 -- | The same for a film of this shape by bands. Each effect asks for each row once now,
 -- and once more when it is wanted, and keeps a quarter of the film in memory.
 opticsBands :: Workers -> Scene -> PixelShape -> FilmBands -> IO (Maybe FilmBands)
-opticsBands workers scene shape rowsOf =
-  through
-    [beamBands workers (beamDeviation scene), bloomBands workers (sceneBloom scene), spikeBands workers (sceneSpikes scene) (sceneSpikeLight scene)]
-    rowsOf
+opticsBands workers scene shape =
+  through [beamBands workers (beamDeviation scene), bloomBands workers (sceneBloom scene), spikeBands workers (sceneSpikes scene) (sceneSpikeLight scene)]
   where
     through [] bands = pure (Just (scaleBarBands workers scene bands))
     through (effect : rest) bands = effect shape bands >>= maybe (pure Nothing) (through rest)

@@ -40,11 +40,11 @@ describedPresets :: [Preset]
 describedPresets =
   [ Preset "default" "a wide disk of glowing gas, seen by an observer at rest above its plane" defaultScene,
     Preset "report" "the picture of the design report, with its observer, gas, stars and leapfrog integration" reportScene,
-    Preset "interstellar" "the look of the film Interstellar (2014): a thin bright disk without Doppler shift or redshift" interstellarScene,
+    Preset "interstellar" "the look of the film Interstellar (2014): a thin bright disk around a rotating hole, without Doppler shift or redshift" interstellarScene,
     Preset "edge-on" "the disk seen from within a degree of its plane" (seenFrom 89 40 defaultScene),
-    Preset "face-on" "the disk seen from near its pole" (seenFrom 12 56 defaultScene),
+    Preset "face-on" "the disk seen from near its pole" faceOnScene,
     Preset "luminet" "Luminet's picture of 1979: a thin opaque disk, its intensity over all wavelengths, without colour" luminetScene,
-    Preset "lens-only" "no disk, only the sky distorted by the hole" defaultScene {sceneDisk = Nothing, sceneSky = SkyStars realSky {realSkyRotation = Degrees (-6), realSkyMilkyWay = 3}, sceneExposure = Exposure 2.5},
+    Preset "lens-only" "no disk, only the sky distorted by the hole" lensOnlyScene,
     Preset "photon-ring" "a close-up of the rings formed by light that has gone around the hole" photonRingScene,
     Preset "falling" "the view of an observer falling into the hole, at r = 2.6" fallingScene,
     Preset "m87" "the shadow of the hole in the galaxy M87 as the Event Horizon Telescope sees it at a wavelength of 1.3 mm" m87Scene,
@@ -72,21 +72,47 @@ seenFrom inclination fieldOfView scene =
           }
     }
 
-interstellarScene :: Scene
-interstellarScene =
+faceOnScene :: Scene
+faceOnScene = (seenFrom 12 66 defaultScene) {sceneDisk = Just defaultDisk {diskBrightness = 1.3, diskColour = BlackBody 2500}}
+
+-- | The centre of the galaxy a little beside the hole, whose gravity draws the Milky Way
+-- out into a ring.
+lensOnlyScene :: Scene
+lensOnlyScene =
   defaultScene
-    { sceneCamera = Camera (Around 50 (Degrees 86) (Degrees 90)) (Degrees (-4)) (Degrees 40),
+    { sceneCamera = Camera (Around 54 (Degrees 77) (Degrees 90)) (Degrees 30) (Degrees 44),
+      sceneDisk = Nothing,
+      sceneSky = SkyStars realSky {realSkyRotation = Degrees (-6), realSkyMilkyWay = 3},
+      sceneExposure = Exposure 1.6,
+      sceneToneMap = ToneAces,
+      sceneBloom = 0.15
+    }
+
+-- | Spin, disk and camera of James, von Tunzelmann, Franklin and Thorne 2015,
+-- "Gravitational lensing by spinning black holes in astrophysics, and in the movie
+-- Interstellar", section 4: a\/M = 0.6, gas from 9.26 M to 18.7 M, seen from 74.1 M at
+-- 86.56 degrees.
+interstellarScene :: Scene
+interstellarScene = maybe id (\hole scene -> scene {sceneSpacetime = Kerr hole}) (spin 0.6) $
+  defaultScene
+    { sceneCamera = Camera (Around 37.05 (Degrees 86.56) (Degrees 90)) (Degrees (-4)) (Degrees 40),
       sceneDisk =
         Just
           defaultDisk
-            { diskThickness = 0.1,
-              diskBrightness = 1.3,
+            { diskInnerRadius = 4.63,
+              diskOuterRadius = 11,
+              diskFade = 0.85,
+              diskThickness = 0.05,
+              diskOpacity = 4,
+              diskBrightness = 2,
               diskArms = 0,
               diskTurbulenceFrequency = 18,
-              diskColour = BlackBody 3200
+              diskHaze = 0.006,
+              diskHazeHeight = 4,
+              diskColour = BlackBody 4500
             },
       sceneShifts = Shifts False False,
-      sceneBloom = 0.1
+      sceneBloom = 0.15
     }
 
 luminetScene :: Scene
@@ -114,7 +140,7 @@ luminetScene =
 photonRingScene :: Scene
 photonRingScene =
   defaultScene
-    { sceneCamera = Camera (LookAt (XYZ 0 5.2 29.5) (XYZ 0 1.3 0)) (Degrees 0) (Degrees 13)
+    { sceneCamera = Camera (LookAt (XYZ 0 5.2 29.5) (XYZ (-1.9) 2.2 0)) (Degrees 0) (Degrees 7)
     }
 
 fallingScene :: Scene
@@ -168,7 +194,7 @@ kerrScene = maybe defaultScene around (spin 0.998)
   where
     around hole =
       defaultScene
-        { sceneCamera = Camera (Around 40 (Degrees 86) (Degrees 90)) (Degrees 0) (Degrees 30),
+        { sceneCamera = Camera (Around 40 (Degrees 86) (Degrees 90)) (Degrees 0) (Degrees 33),
           sceneSpacetime = Kerr hole,
           -- The gas is hottest in a narrow ring; as bright as the default's it would leave
           -- the rest of the disk dark.
@@ -226,7 +252,7 @@ reportScene =
         Camera
           { cameraPose = LookAt (XYZ 0 5 25) (XYZ 0 0 0),
             cameraRoll = Degrees 0,
-            cameraFieldOfView = Degrees 40
+            cameraFieldOfView = Degrees 28
           },
       sceneObserver = Coordinate,
       sceneIntegrator = Leapfrogging,

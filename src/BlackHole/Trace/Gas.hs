@@ -155,7 +155,7 @@ data Light = Planar | Around !GasFlow !LightRay
 throughGas :: Gas -> Light -> Double -> Gathered -> PathSegment -> Gathered
 throughGas prepared light !observed !gathered !segment = case gasAt (gasDensity g) place r extent slant of
   Here dense heat
-    | dense < thinnest -> gathered
+    | dense < thinnestGas -> gathered
     | otherwise -> shining (gasExtinction g * dense) heat
   where
     g = lazy prepared
@@ -198,10 +198,6 @@ throughGas prepared light !observed !gathered !segment = case gasAt (gasDensity 
             | otherwise = glow temperature
        in pass tau source gathered
 {-# NOINLINE throughGas #-}
-
--- | Less dense gas is left out: 'faintest'.
-thinnest :: Double
-thinnest = 5.5e-4
 
 -- | The report's gas colour between the hole's edge (0) and the disk's (1):
 -- hue 50° to 20°, saturation 0.8, full value, read as a display colour.
