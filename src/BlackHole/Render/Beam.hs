@@ -11,9 +11,9 @@ import qualified Data.Vector.Storable as Vector
 import qualified Data.Vector.Storable.Mutable as MVector
 
 -- | @beamBands workers sigma shape rowsOf@: the film with its light convolved with a
--- Gaussian of this standard deviation in pixels. With 0 it is the film itself. Light that
--- would leave the picture stays in it; a uniform picture stays uniform, and pixels
--- without a finite radiance stay as they are and spread nothing. The time hardly depends
+-- Gaussian of this standard deviation in pixels. With 0 it is the film itself. At the edges
+-- it is the mean over the part of the Gaussian within the picture, so that a uniform picture
+-- stays uniform. Pixels without a finite radiance stay as they are and spread nothing. The time hardly depends
 -- on the width: the Gaussian acts on a coarser copy of the film, on which its standard
 -- deviation is 2 to 4 pixels. The weights of the copy's pixels add 1/2 pixel² to the
 -- variance, of which the Gaussian has that much less. Rows are asked for as in

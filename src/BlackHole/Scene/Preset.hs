@@ -73,7 +73,7 @@ seenFrom inclination fieldOfView scene =
     }
 
 faceOnScene :: Scene
-faceOnScene = (seenFrom 12 66 defaultScene) {sceneDisk = Just defaultDisk {diskBrightness = 1.3, diskColour = BlackBody 2500}}
+faceOnScene = (seenFrom 12 60 defaultScene) {sceneDisk = Just defaultDisk {diskBrightness = 1.3, diskColour = BlackBody 2500}}
 
 -- | The centre of the galaxy a little beside the hole, whose gravity draws the Milky Way
 -- out into a ring.

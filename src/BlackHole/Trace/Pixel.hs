@@ -261,15 +261,20 @@ sightRadiance prepared = sharingRadiance prepared Nothing
 
 -- | 'sightRadiance', given the sky behind the pixel where it is known.
 sharingRadiance :: Tracer -> Maybe SkyPatch -> XY -> Radiance
-sharingRadiance prepared shared point = case tracerLens traced of
-  Nothing -> through traced
-  Just _ -> through (throughLens traced point)
+sharingRadiance prepared shared point
+  | Just _ <- tracerLens traced = lensRadiance traced shared point
+  | otherwise = case tracedSight traced point of
+    Nothing -> black
+    Just sight -> seen traced shared point sight (followLight traced point sight)
   where
     -- Otherwise GHC takes the record apart for the call and reassembles it here.
     traced = lazy prepared
-    through camera = case tracedSight camera point of
-      Nothing -> black
-      Just sight -> seen camera shared point sight (followLight camera point sight)
+
+-- | 'sharingRadiance' through a point of the lens. Not for inlining: the pinhole's code
+-- would leave more on the heap.
+lensRadiance :: Tracer -> Maybe SkyPatch -> XY -> Radiance
+lensRadiance traced shared point = sharingRadiance (throughLens traced point) shared point
+{-# NOINLINE lensRadiance #-}
 
 -- | The camera as a pinhole in a random point of its lens, one for each point of the
 -- picture: the thin lens of Cook, Porter and Carpenter 1984, in the observer's frame. What
@@ -281,7 +286,7 @@ sharingRadiance prepared shared point = case tracerLens traced of
 throughLens :: Tracer -> XY -> Tracer
 throughLens traced point@(XY px py) = case tracerLens traced of
   Nothing -> traced
-  Just (Lens frame size pixels) -> fromMaybe traced $ do
+  Just (Lens frame size pixels) -> fromMaybe traced {tracerLens = Nothing} $ do
     let bits = sipHash2 (SipKey (sceneSeed scene) 0x6c656e73) (castDoubleToWord64 px) (castDoubleToWord64 py)
         fraction w = (fromIntegral (w .&. 0xffffffff) + 0.5) / 4294967296
         radius = size * sqrt (fraction bits)
@@ -296,7 +301,7 @@ throughLens traced point@(XY px py) = case tracerLens traced of
     let slope = XYZ.dot direction outwards
         straight = offset ^-^ (XYZ.dot offset outwards * slope / (slope * slope + 0.01)) *^ direction
     onSphere <- XYZ.normalize (place ^+^ straight)
-    pure traced {tracerPlane = plane, tracerEye = eye (sceneSpacetime scene) (sceneObserver scene) (XYZ.norm place *^ onSphere)}
+    pure traced {tracerLens = Nothing, tracerPlane = plane, tracerEye = eye (sceneSpacetime scene) (sceneObserver scene) (XYZ.norm place *^ onSphere)}
   where
     scene = tracerScene traced
 
