@@ -41,8 +41,8 @@ import BlackHole.Image.File (fileMetadata)
 import BlackHole.Image.Metadata
 import BlackHole.Image.TileFile
 import BlackHole.Image.Write
-import BlackHole.Render.Bloom
 import BlackHole.Render.Film
+import BlackHole.Render.Optics
 import BlackHole.Render.PixelArray (backendName, fromPixelVector, pixelArrayShape, toPixelVector)
 import BlackHole.Render.PixelShape (pixelShape, shapeHeight)
 import BlackHole.Render.Shard (shardRows)
@@ -565,13 +565,14 @@ preview sky scene workers = do
   let (columns, textLines) = maybe (80, 24) (\(Terminal.Window h w) -> (w, h)) window
       Picture width height = scenePicture scene
       (across, down) = previewSize columns textLines (width, height)
-  exposed <- exposeFilm sky workers (const (pure ())) scene {scenePicture = Picture across down} (0, down)
+  let small = scene {scenePicture = Picture across down}
+  exposed <- exposeFilm sky workers (const (pure ())) small (0, down)
   case exposed of
     Nothing -> untraceable
     Just (Exposed film _) -> do
       _ <- warnOfFaults workers 0 film
-      bloomed <- bloomFilm workers (sceneBloom scene) film
-      codes <- developFilm workers (sceneExposure scene) (sceneToneMap scene) (sceneDither scene) bloomed
+      recorded <- opticsFilm workers small film
+      codes <- developFilm workers (sceneDevelopment small) recorded
       printed Done (previewText (palette isTerminal environment) codes)
 
 untraceable :: IO ExitStatus
