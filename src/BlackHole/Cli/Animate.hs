@@ -23,7 +23,7 @@ import BlackHole.Cli.AnimateReport
 import BlackHole.Cli.AnimationScene (frameFaults, maximumFaults)
 import BlackHole.Cli.Check
 import BlackHole.Cli.CodingOptions (codingOptions)
-import BlackHole.Cli.Progress (ProgressMode (..))
+import BlackHole.Cli.Progress
 import BlackHole.Cli.Read
 import BlackHole.Cli.RunOptions
 import BlackHole.Image.AtomicFile (printable)
@@ -181,11 +181,11 @@ runAnimation options say sky text develop animation = do
     Left (ending, problems) -> (ending, Nothing) <$ mapM_ say problems
     Right (name, frames, video) -> do
       workers <- maybe defaultWorkers pure (workersFromCount =<< animateThreads options)
-      teller <- newTeller say mode
+      reporter <- newReporter mode
       shot <-
         try . withWorkers workers $
-          shoot (Shooting animation frames name (animatePatience options) workers video sky text (develop workers)) teller
-      clearLine mode
+          shoot (Shooting animation frames name (animatePatience options) workers video sky text (develop workers)) (reportTo say reporter)
+      clearProgress reporter
       case shot of
         Left refusal -> (CannotStart, Nothing) <$ say ("--output: the frames cannot be written: " ++ show (refusal :: IOException))
         Right done -> do

@@ -20,6 +20,7 @@ where
 import BlackHole.Cli.Check
 import BlackHole.Cli.Json
 import BlackHole.Cli.Read
+import BlackHole.Cli.TextTable
 import BlackHole.Numeric.Angle
 import BlackHole.Scene.Scene (Integrator (..), integratorName)
 import BlackHole.Scene.Validate (Problem (..))
@@ -36,7 +37,7 @@ import qualified BlackHole.Vector.XYZ as XYZ
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (isUpper, toLower)
-import Data.List (intercalate, isSuffixOf, stripPrefix, transpose)
+import Data.List (intercalate, isSuffixOf, stripPrefix)
 import Data.Maybe (fromMaybe)
 import Options.Applicative
 
@@ -217,6 +218,7 @@ outcomeText json outcome
         | name <- map fst own ++ filter (`notElem` map fst own) (map fst exact)
       ]
     cell name = fromMaybe "-" . lookup name
+    table cells = unlines (tableLines (repeat LeftAligned) (map Cells cells))
     legend report =
       unlines ["", "r_s is the Schwarzschild radius 2GM/c^2. A drift is relative to the value at the start."]
         ++ legendOf (not (null (reportCrossings report)))
@@ -311,15 +313,6 @@ unitOf name
   | "mino time" `isSuffixOf` name = "1/r_s"
   | any (`isSuffixOf` name) ["angle", "deflection", "azimuth"] = "rad"
   | otherwise = ""
-
--- | Columns, without blanks at the ends of lines.
-table :: [[String]] -> String
-table rows = unlines (map line rows)
-  where
-    widths = map (maximum . map length) (transpose rows)
-    line row = dropBlanks (intercalate "  " (zipWith padded widths row))
-    padded n s = s ++ replicate (n - length s) ' '
-    dropBlanks = reverse . dropWhile (== ' ') . reverse
 
 -- | The points of the path.
 outcomePoints :: PhotonOutcome -> [PathPoint]
