@@ -2,12 +2,14 @@
 module BlackHole.Cli.SelfTest
   ( SelfTestOptions (..),
     selfTestOptions,
-    runSelfTest,
+    selfTest,
+    selfTestStatus,
     checkTable,
     summaryLine,
   )
 where
 
+import BlackHole.Cli.ExitStatus
 import BlackHole.Cli.Read (toggle)
 import BlackHole.Cli.TextTable
 import BlackHole.SelfTest.Check
@@ -29,15 +31,21 @@ selfTestOptions =
   SelfTestOptions
     <$> toggle (long "quiet" <> short 'q' <> help "Print the last line only")
 
--- | Computes every check, and the table to print on standard output, which is in colour
--- on a terminal unless NO_COLOR is set.
-runSelfTest :: SelfTestOptions -> IO ([Check], String)
-runSelfTest (SelfTestOptions quiet) = do
+-- | Computes every check and prints their table, in colour on a terminal unless NO_COLOR
+-- is set.
+selfTest :: SelfTestOptions -> IO ExitStatus
+selfTest (SelfTestOptions quiet) = do
   terminal <- hIsTerminalDevice stdout
   noColour <- lookupEnv "NO_COLOR"
   checks <- selfTestChecks
   let table = checkTable (terminal && maybe True null noColour) checks
-  pure (checks, unlines ((if quiet then [] else table) ++ [summaryLine checks]))
+  printed (selfTestStatus checks) (unlines ((if quiet then [] else table) ++ [summaryLine checks]))
+
+-- | A failed check is an internal error.
+selfTestStatus :: [Check] -> ExitStatus
+selfTestStatus checks
+  | all checkHolds checks = Done
+  | otherwise = InternalFault
 
 -- | A heading and one line per check, in columns: check, value, reference, error, limit,
 -- and @pass@ or @FAIL@, in colour or not.

@@ -5,6 +5,7 @@ module BlackHole.Cli.BadInputSpec (spec) where
 import BlackHole.Cli.Help (Entry (..), parserEntries)
 import BlackHole.Cli.Join (openTiles)
 import BlackHole.Cli.Options
+import BlackHole.Cli.Render.Options (renderScene)
 import BlackHole.Cli.SceneOptions
 import BlackHole.Image.Coding
 import BlackHole.Image.File

@@ -1,7 +1,7 @@
 module BlackHole.Cli.SelfTestSpec (spec) where
 
+import BlackHole.Cli.ExitStatus
 import BlackHole.Cli.Options
-import BlackHole.Cli.Run
 import BlackHole.Cli.SelfTest
 import BlackHole.SelfTest.Check
 import Data.List (isInfixOf, isSuffixOf)
