@@ -37,13 +37,13 @@ main = do
   withWorkers workers $ do
     exposed <- exposeFilm Nothing workers (const (pure ())) defaultScene {scenePicture = Picture wide high, sceneSamples = 4} (0, high)
     film <- maybe (die "the default scene cannot be traced") (pure . exposedLight) exposed
-    toneMaps <- mapM (\tone -> sheetOf <$> developFilm workers plain tone BlueNoise film) [ToneFilm, ToneNone, ToneReinhard, ToneAces, ToneAgx]
+    toneMaps <- mapM (\tone -> sheetOf <$> developFilm workers (Development plain tone noGrain BlueNoise) film) [ToneFilm, ToneNone, ToneReinhard, ToneAces, ToneAgx]
     write folder "film-tone-maps.png" (inRows 2 (toneMaps ++ [channelByChannel film]))
     write folder "film-hue.png" (inRows 1 [wedge byChannel, wedge (applyToneMap ToneFilm)])
     write folder "film-red.png" (inRows 1 [strip towardsWhite, strip desaturateIntoGamut])
-    dithers <- mapM (\dither -> brightened . sheetOf <$> developFilm workers (Exposure (-6)) ToneFilm dither film) [NoDither, BlueNoise]
+    dithers <- mapM (\dither -> brightened . sheetOf <$> developFilm workers (Development (Exposure (-6)) ToneFilm noGrain dither) film) [NoDither, BlueNoise]
     write folder "film-dither.png" (inRows 2 dithers)
-    blooms <- mapM (\strength -> bloomFilm workers strength film >>= fmap sheetOf . developFilm workers plain ToneFilm BlueNoise) [0, 0.03, 0.1, 0.3]
+    blooms <- mapM (\strength -> bloomFilm workers strength film >>= fmap sheetOf . developFilm workers (Development plain ToneFilm noGrain BlueNoise)) [0, 0.03, 0.1, 0.3]
     write folder "film-bloom.png" (inRows 2 blooms)
   where
     plain = Exposure 0

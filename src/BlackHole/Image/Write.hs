@@ -12,10 +12,11 @@ import BlackHole.Image.Destination
 import BlackHole.Image.File
 import BlackHole.Image.Metadata
 import BlackHole.Image.MotionBlur
-import BlackHole.Render.Bloom
 import BlackHole.Render.Film
 import BlackHole.Render.Layer
+import BlackHole.Render.Optics
 import BlackHole.Render.PixelShape (pixelShape)
+import BlackHole.Render.Pyramid (FilmBands)
 import BlackHole.Render.Workers (Workers)
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.File.SceneFile (printScene)
@@ -29,7 +30,7 @@ import Data.Vector.Storable (Vector)
 
 -- | @pictureEncoder workers program format coding scenes countsOf@ is the encoder of a
 -- picture of the mean light of some scenes. @countsOf@ returns the numbers of samples of
--- a row. The encoder applies the bloom of the first scene, whose layers the file has, and
+-- a row. The encoder applies the optics of the first scene, whose layers the file has, and
 -- then that of 'fileEncoder'; the metadata hold @program@, its name and version, and the
 -- scenes. Bloom keeps a quarter of the picture's light in memory. Throws a user error if
 -- a band is missing. 'Nothing' if the picture is too large for the format. The bytes do
@@ -37,14 +38,13 @@ import Data.Vector.Storable (Vector)
 pictureEncoder :: Workers -> String -> Format -> Coding -> NonEmpty Scene -> (Int -> IO (Vector Float)) -> Maybe (FilmBands -> Destination -> IO ())
 pictureEncoder workers program format coding scenes@(scene :| _) countsOf = do
   shape <- pixelShape width height 3
-  encode <- fileEncoder workers format (pictureMetadata program coding scenes) development layers (width, height)
+  encode <- fileEncoder workers format (pictureMetadata program coding scenes) (sceneDevelopment scene) layers (width, height)
   Just $ \sharpRows destination -> do
-    bands <- bloomBands workers (sceneBloom scene) shape sharpRows
+    bands <- opticsBands workers scene shape sharpRows
     complete <- maybe (pure False) (`encode` destination) bands
     unless complete $ ioError (userError "a part of the picture's light cannot be read any more")
   where
     Picture width height = scenePicture scene
-    development = Development (sceneExposure scene) (sceneToneMap scene) (sceneDither scene)
     layers
       | format == Exr = fromMaybe noLayers (sceneLayers scene countsOf)
       | otherwise = noLayers

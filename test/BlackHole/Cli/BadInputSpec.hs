@@ -82,10 +82,10 @@ spec = do
                 then either length (const 0) <$> openTiles [folder </> "damaged.tile"]
                 else evaluate (maybe 0 (length . metadataAnswer) (fileMetadata damaged))
           outcome `shouldSatisfy` maybe False (>= 0)
-  it "takes at most 1024 scenes from a picture with motion blur, in every format" $ do
+  it "takes at most 1024 scenes from the metadata of a picture with motion blur, in every format" $ do
     let film = pixelShape 2 2 3 >>= (`fromPixelVector` Vector.replicate 12 0.5)
         written format text = join <$> traverse (encoded oneWorker format (Metadata "b" defaultCoding text) development noLayers) film
-        development = Development (Exposure 0) ToneFilm NoDither
+        development = Development (Exposure 0) ToneFilm noGrain NoDither
         lineCount = length (Characters.lines sceneBytes)
         forged n count = sceneBytes <> lined (("# moments " ++ show (n + 1)) : replicate n ("# moment with lines " ++ show count))
         scenesIn = either (const 0) length . resolveMetadata (SceneOptions Nothing Nothing []) "a.png"

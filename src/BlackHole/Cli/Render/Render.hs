@@ -22,8 +22,8 @@ import BlackHole.Image.Metadata (software)
 import BlackHole.Image.SkyFile
 import BlackHole.Image.TileFile (encodeTile)
 import BlackHole.Image.Write
-import BlackHole.Render.Bloom
 import BlackHole.Render.Film
+import BlackHole.Render.Optics
 import BlackHole.Render.Shard (Shard, shardRows)
 import BlackHole.Render.Workers
 import BlackHole.Scene.Camera (Picture (..))
@@ -141,11 +141,12 @@ preview sky scene workers = do
   let (columns, textLines) = maybe (80, 24) (\(Terminal.Window h w) -> (w, h)) window
       Picture width height = scenePicture scene
       (across, down) = previewSize columns textLines (width, height)
-  exposed <- exposeFilm sky workers (const (pure ())) scene {scenePicture = Picture across down} (0, down)
+      small = scene {scenePicture = Picture across down}
+  exposed <- exposeFilm sky workers (const (pure ())) small (0, down)
   case exposed of
     Nothing -> untraceable
     Just (Exposed film _) -> do
       _ <- warnOfFaults workers 0 film
-      bloomed <- bloomFilm workers (sceneBloom scene) film
-      codes <- developFilm workers (sceneExposure scene) (sceneToneMap scene) (sceneDither scene) bloomed
+      recorded <- opticsFilm workers small film
+      codes <- developFilm workers (sceneDevelopment small) recorded
       printed Done (previewText (palette isTerminal environment) codes)
