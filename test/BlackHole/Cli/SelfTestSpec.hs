@@ -17,8 +17,8 @@ spec = do
     exitCode (selfTestStatus [right, right {checkValue = 1.1}]) `shouldBe` exitCode InternalFault
   it "lines up its columns and ends each line with the verdict" $
     checkTable False [right, wrong]
-      `shouldBe` [ "check                    value     reference    error    limit",
-                   "right             1.0000000000  1.0000000000        0  1.0e-10  pass",
+      `shouldBe` [ "check                    value     reference   error    limit",
+                   "right             1.0000000000  1.0000000000       0  1.0e-10  pass",
                    "wrong by a tenth  1.1000000000  1.0000000000  1.0e-1  1.0e-10  FAIL"
                  ]
   it "colours the verdict alone, and only when asked" $ do
