@@ -13,6 +13,7 @@ where
 import BlackHole.Cli.Animate.Options (AnimateOptions, animateOptions)
 import BlackHole.Cli.Help
 import BlackHole.Cli.Join (JoinOptions, joinOptions)
+import BlackHole.Cli.ManualPage (manualPage)
 import BlackHole.Cli.Photon.Options (PhotonOptions, photonOptions)
 import BlackHole.Cli.Rays (RaysOptions, raysOptions)
 import BlackHole.Cli.Render.Options (RenderOptions, renderOptions)
