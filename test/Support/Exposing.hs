@@ -8,8 +8,9 @@ where
 
 import BlackHole.Image.Coding (Format)
 import BlackHole.Image.Destination (inMemory)
-import BlackHole.Image.File (Development, fileEncoder)
+import BlackHole.Image.File (fileEncoder)
 import BlackHole.Image.Metadata (Metadata)
+import BlackHole.Light.Display (Development)
 import BlackHole.Render.Film
 import BlackHole.Render.Layer (Layers)
 import BlackHole.Render.PixelArray (pixelArrayShape)

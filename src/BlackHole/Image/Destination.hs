@@ -8,7 +8,7 @@ module BlackHole.Image.Destination
   )
 where
 
-import BlackHole.Render.Bloom (FilmBands)
+import BlackHole.Render.Pyramid (FilmBands)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy

@@ -1,7 +1,6 @@
 -- | Picture files of any format: their encoders, and the metadata that they hold.
 module BlackHole.Image.File
-  ( Development (..),
-    fileEncoder,
+  ( fileEncoder,
     fileMetadata,
   )
 where
@@ -14,8 +13,7 @@ import BlackHole.Image.Jpeg
 import BlackHole.Image.Metadata
 import BlackHole.Image.Png
 import BlackHole.Image.Tiff
-import BlackHole.Light.Display (Exposure, ToneMap, developer)
-import BlackHole.Light.Dither (Dither)
+import BlackHole.Light.Display (Development, developer)
 import BlackHole.Render.Film
 import BlackHole.Render.Layer
 import BlackHole.Render.PixelShape (pixelShape)
@@ -24,15 +22,6 @@ import Control.Applicative ((<|>))
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Lazy as Lazy
 
--- | The development of light for formats that store display codes.
-data Development = Development
-  { developmentExposure :: !Exposure,
-    developmentToneMap :: !ToneMap,
-    -- | For formats with 8 bits.
-    developmentDither :: !Dither
-  }
-  deriving (Eq, Show)
-
 -- | @fileEncoder workers format metadata development layers (width, height)@ is the
 -- encoder of a file, coded as the metadata say; 'codingProblem' must accept that coding.
 -- Linear formats store the film's light without exposure and tone map. Only OpenEXR
@@ -40,7 +29,7 @@ data Development = Development
 -- 'Nothing' if the picture is too large for the format, or if the layers do not fit
 -- ('encodeExr'). The bytes do not depend on the number of workers.
 fileEncoder :: Workers -> Format -> Metadata -> Development -> Layers -> (Int, Int) -> Maybe Encoder
-fileEncoder workers format metadata (Development exposure tone dither) layers size@(width, height) = case format of
+fileEncoder workers format metadata development layers size@(width, height) = case format of
   Png -> do
     shape <- pixelShape width height 3
     Just $ \rowsOf destination ->
@@ -52,10 +41,10 @@ fileEncoder workers format metadata (Development exposure tone dither) layers si
       case film of
         Nothing -> pure False
         Just light -> do
-          codes <- developFilm workers exposure tone dither light
+          codes <- developFilm workers development light
           True <$ mapM_ (putBytes destination) (Lazy.toChunks (encodeJpeg (codingQualityOf coding) metadata codes))
   Tiff -> banded tiffBand <$> tiffHeader metadata bits size
-  Hdr -> Just (banded (hdrRows workers) (hdrHeader metadata size))
+  Hdr -> Just (banded (const (hdrRows workers)) (hdrHeader metadata size))
   Exr -> encodeExr workers (if bits == 32 then Single else Half) metadata size layers
   where
     coding = metadataCoding metadata
@@ -63,12 +52,12 @@ fileEncoder workers format metadata (Development exposure tone dither) layers si
     codesOf bandFirst film (first, count) = do
       rows <- filmRows film (first - bandFirst, count)
       if bits == 16
-        then Codes16 <$> finelyDevelopedRows prepared rows
-        else Codes8 <$> developedRows prepared dither first rows
-    prepared = developer exposure tone
-    tiffBand film
+        then Codes16 <$> finelyDevelopedRows prepared first rows
+        else Codes8 <$> developedRows prepared first rows
+    prepared = developer development
+    tiffBand first film
       | bits == 32 = pure (tiffRows (TiffLight film))
-      | otherwise = tiffRows . TiffCodes <$> developFilmFinely workers exposure tone film
+      | otherwise = tiffRows . TiffCodes <$> developFilmFinely workers development first film
     -- A header, then the rows of bands that keep all workers busy.
     banded rowsIn header rowsOf destination = putBytes destination header >> go 0
       where
@@ -79,7 +68,7 @@ fileEncoder workers format metadata (Development exposure tone dither) layers si
             band <- rowsOf (first, count)
             case band of
               Nothing -> pure False
-              Just film -> rowsIn film >>= mapM_ (putBytes destination) >> go (first + count)
+              Just film -> rowsIn first film >>= mapM_ (putBytes destination) >> go (first + count)
 
 -- | The metadata of a picture file written by this program; 'Nothing' for other files.
 fileMetadata :: ByteString -> Maybe Metadata

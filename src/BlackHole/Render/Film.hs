@@ -19,7 +19,6 @@ module BlackHole.Render.Film
 where
 
 import BlackHole.Light.Display
-import BlackHole.Light.Dither (Dither)
 import BlackHole.Light.Radiance
 import BlackHole.Render.PixelArray
 import BlackHole.Render.PixelRows (convertedRows, mapRows, pixelChannels, pixelRow)
@@ -220,50 +219,51 @@ refineRow traced !width !sumsFirst sums !row pixels = go 0
     uncertain c r = uncertainEstimate scene (sumOf c r seenPlace) (sumOf c r (seenPlace + 1))
 
 -- | The codes for an 8-bit sRGB display, after exposure, tone map, coding and dither.
-developFilm :: Workers -> Exposure -> ToneMap -> Dither -> Film -> IO (PixelArray Word8)
-developFilm workers exposure tone dither = mapRows workers (developRow prepared dither)
+developFilm :: Workers -> Development -> Film -> IO (PixelArray Word8)
+developFilm workers development = mapRows workers (developRow prepared)
   where
-    !prepared = developer exposure tone
+    !prepared = developer development
 
 -- | 'developFilm' for a few rows, without workers. The number of the first row in the
--- whole film is needed because the dither depends on the position.
-developedRows :: Developer -> Dither -> Int -> Film -> Maybe (PixelArray Word8)
-developedRows prepared dither first = convertedRows (developRow prepared dither . (first +))
+-- whole film is needed because grain and dither depend on the position.
+developedRows :: Developer -> Int -> Film -> Maybe (PixelArray Word8)
+developedRows prepared first = convertedRows (developRow prepared . (first +))
 
-developRow :: Developer -> Dither -> Int -> Vector Float -> MVector s Word8 -> ST s ()
-developRow !prepared !dither !row light codes = go 0 0
+developRow :: Developer -> Int -> Vector Float -> MVector s Word8 -> ST s ()
+developRow !prepared !row light codes = go 0 0
   where
     go !column !i
       | i >= Vector.length light = pure ()
       | isBlackAt light i = go (column + 1) (i + 3)
       | otherwise = do
-        let (r, g, b) = displayCode prepared dither column row (radianceAt light i)
+        let (r, g, b) = displayCode prepared column row (radianceAt light i)
         MVector.unsafeWrite codes i r
         MVector.unsafeWrite codes (i + 1) g
         MVector.unsafeWrite codes (i + 2) b
         go (column + 1) (i + 3)
 
--- | 'developFilm' in 16 bits, which need no dither.
-developFilmFinely :: Workers -> Exposure -> ToneMap -> Film -> IO (PixelArray Word16)
-developFilmFinely workers exposure tone = mapRows workers (const (developRowFinely prepared))
+-- | 'developFilm' in 16 bits, which need no dither, for a band of the film that starts at
+-- this row.
+developFilmFinely :: Workers -> Development -> Int -> Film -> IO (PixelArray Word16)
+developFilmFinely workers development first = mapRows workers (developRowFinely prepared . (first +))
   where
-    !prepared = developer exposure tone
+    !prepared = developer development
 
 -- | 'developFilmFinely' for a few rows, without workers.
-finelyDevelopedRows :: Developer -> Film -> Maybe (PixelArray Word16)
-finelyDevelopedRows prepared = convertedRows (const (developRowFinely prepared))
+finelyDevelopedRows :: Developer -> Int -> Film -> Maybe (PixelArray Word16)
+finelyDevelopedRows prepared first = convertedRows (developRowFinely prepared . (first +))
 
-developRowFinely :: Developer -> Vector Float -> MVector s Word16 -> ST s ()
-developRowFinely !prepared light codes = go 0
+developRowFinely :: Developer -> Int -> Vector Float -> MVector s Word16 -> ST s ()
+developRowFinely !prepared !row light codes = go 0 0
   where
-    go !i
+    go !column !i
       | i >= Vector.length light = pure ()
       | otherwise = do
-        let Signal r g b = developSignal prepared (radianceAt light i)
+        let Signal r g b = developSignal prepared column row (radianceAt light i)
         MVector.unsafeWrite codes i (fineCode r)
         MVector.unsafeWrite codes (i + 1) (fineCode g)
         MVector.unsafeWrite codes (i + 2) (fineCode b)
-        go (i + 3)
+        go (column + 1) (i + 3)
 
 -- | The radiance of the pixel in a column and a row; 'Nothing' outside the film.
 filmRadiance :: Film -> Int -> Int -> Maybe Radiance

@@ -104,4 +104,4 @@ workersCheck = do
       exposed <- exposeFilm Nothing workers (const (pure ())) scene (allRows (scenePicture scene))
       case exposed of
         Nothing -> pure []
-        Just (Exposed film _) -> Vector.toList . toPixelVector <$> developFilm workers (sceneExposure scene) (sceneToneMap scene) (sceneDither scene) film
+        Just (Exposed film _) -> Vector.toList . toPixelVector <$> developFilm workers (sceneDevelopment scene) film

@@ -18,6 +18,7 @@ module BlackHole.Spacetime.Observer
     sightPhoton,
     Eye,
     eye,
+    eyePlace,
     sightFrom,
     sightLine,
   )
@@ -146,7 +147,7 @@ sightPhoton RotatingSight {} = Nothing
 data Eye = Eye
   { _eyeKind :: !EyeKind,
     -- | The observer's position.
-    _eyePlace :: {-# UNPACK #-} !XYZ,
+    eyePlace :: {-# UNPACK #-} !XYZ,
     -- | Unit vector away from the hole.
     _eyeRadial :: {-# UNPACK #-} !XYZ,
     -- | √(1 − 1/r).

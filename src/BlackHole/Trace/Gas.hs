@@ -101,17 +101,19 @@ gas space seed shifts disk eye pixel samples =
       gasAround = gasFlow space,
       gasGlow = case diskColour disk of
         HueRamp -> ByRadius (diskBrightness disk)
-        BlackBody peak -> let blackBody = blackBodyRadiance BlackBodyTable.Bolometric peak in byTemperature (\t -> blackBody (t * peak))
-        Bolometric -> byTemperature (\t -> grey (t * t * (t * t)))
+        BlackBody peak -> let blackBody = blackBodyRadiance BlackBodyTable.Bolometric peak in byTemperature thin (\t -> blackBody (t * peak))
+        Bolometric -> byTemperature thin bolometric
+        Synchrotron -> byTemperature recip bolometric
     }
   where
-    byTemperature light =
+    bolometric t = grey (t * t * (t * t))
+    thin = relativeTemperature (thinDisk (spacetimeSpin space))
+    byTemperature temperatureAt light =
       ByTemperature
         (tabulate 1 2048 (regionInnerRadius (diskRegion Fine disk)) (diskOuterRadius disk) (pure . temperatureAt))
         (tabulate 3 4096 0 hottest (\t -> let Radiance r g b = glow t in [r, g, b]))
         glow
       where
-        temperatureAt = relativeTemperature (thinDisk (spacetimeSpin space))
         glow t = scaleRadiance (diskBrightness disk) (light t)
 
 -- | Relative temperatures that are tabulated. Only somebody who falls or orbits
@@ -130,7 +132,7 @@ gatherGas g observed gathered segment = onward (throughGas g observed gathered s
 throughGas :: Gas -> Double -> Gathered -> PathSegment -> Gathered
 throughGas prepared !observed !gathered !segment = case gasAt (gasDensity g) place r extent slant of
   Here dense heat
-    | dense < thinnest -> gathered
+    | dense < thinnestGas -> gathered
     | otherwise -> shining (gasExtinction g * dense) heat
   where
     g = lazy prepared
@@ -171,10 +173,6 @@ throughGas prepared !observed !gathered !segment = case gasAt (gasDensity g) pla
             | otherwise = glow temperature
        in pass tau source gathered
 {-# NOINLINE throughGas #-}
-
--- | Less dense gas is left out: 'faintest'.
-thinnest :: Double
-thinnest = 5.5e-4
 
 -- | The report's gas colour between the hole's edge (0) and the disk's (1):
 -- hue 50° to 20°, saturation 0.8, full value, read as a display colour.

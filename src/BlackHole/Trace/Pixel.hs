@@ -34,7 +34,7 @@ addSamples prepared from to estimate column row = go from estimate
 -- | 'addSamples' for three pixels in a row, starting at a column.
 addSamplesToThree :: Tracer -> Int -> Int -> Estimate -> Estimate -> Estimate -> Int -> Int -> (Estimate, Estimate, Estimate)
 addSamplesToThree traced from to estimate0 estimate1 estimate2 column row = case sceneIntegrator scene of
-  Leapfrogging -> go from estimate0 estimate1 estimate2
+  Leapfrogging | Nothing <- tracerLens traced -> go from estimate0 estimate1 estimate2
   _ -> (single estimate0 column, single estimate1 (column + 1), single estimate2 (column + 2))
   where
     scene = tracerScene traced

@@ -88,12 +88,20 @@ sightRadiance prepared = sharingRadiance prepared Nothing
 
 -- | 'sightRadiance', given the sky behind the pixel where it is known.
 sharingRadiance :: Tracer -> Maybe SkyPatch -> XY -> Radiance
-sharingRadiance prepared shared point = case tracedSight traced point of
-  Nothing -> black
-  Just sight -> seen traced shared point sight (followLight traced point sight)
+sharingRadiance prepared shared point
+  | Just _ <- tracerLens traced = lensRadiance traced shared point
+  | otherwise = case tracedSight traced point of
+    Nothing -> black
+    Just sight -> seen traced shared point sight (followLight traced point sight)
   where
     -- Otherwise GHC takes the record apart for the call and reassembles it here.
     traced = lazy prepared
+
+-- | 'sharingRadiance' through a point of the lens. Not for inlining: the pinhole's code
+-- would leave more on the heap.
+lensRadiance :: Tracer -> Maybe SkyPatch -> XY -> Radiance
+lensRadiance traced shared point = sharingRadiance (throughLens traced point) shared point
+{-# NOINLINE lensRadiance #-}
 
 -- | The light of the gas, plus the sky's contribution.
 seen :: Tracer -> Maybe SkyPatch -> XY -> SightLine -> Followed Gathered -> Radiance

@@ -8,11 +8,13 @@ module BlackHole.Trace.Tracer
     tracedDirection,
     tracedSight,
     sightBesidePoint,
+    throughLens,
     pixelWidth,
   )
 where
 
 import BlackHole.Light.Display (Exposure (..))
+import BlackHole.Noise.SipHash
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Disk (Disk)
 import BlackHole.Scene.Scene
@@ -24,15 +26,19 @@ import BlackHole.Trace.EnvironmentMap (EnvironmentMap)
 import BlackHole.Trace.Gas
 import BlackHole.Trace.Grid
 import BlackHole.Trace.Sky
-import BlackHole.Vector.XY (XY)
-import BlackHole.Vector.XYZ (XYZ)
+import BlackHole.Vector.XY (XY (..))
+import BlackHole.Vector.XYZ (XYZ, (*^), (^+^), (^-^))
 import qualified BlackHole.Vector.XYZ as XYZ
+import Data.Bits (shiftR, (.&.))
+import Data.Maybe (fromMaybe)
+import GHC.Float (castDoubleToWord64)
 
 -- | A scene prepared for tracing: everything that its pixels share, computed once.
 data Tracer = Tracer
   { tracerPlane :: !PicturePlane,
     tracerScene :: !Scene,
     tracerEye :: !Eye,
+    tracerLens :: !(Maybe Lens),
     -- | The exposure's factor.
     tracerGain :: !Double,
     -- | The part of g that applies to the sky.
@@ -45,6 +51,10 @@ data Tracer = Tracer
     -- | The sky as a function of the beam.
     tracerSky :: SkyShader
   }
+
+-- | A lens of some size: the frame of the camera, the lens's radius in Schwarzschild radii,
+-- and by how many pixels the picture behind it shifts per Schwarzschild radius.
+data Lens = Lens !Frame !Double !Double
 
 -- | What shines along the way.
 data Matter
@@ -70,6 +80,10 @@ tracerWithSky picture scene = do
         tracerScene = scene,
         tracerGain = 2 ** stops,
         tracerEye = eye (sceneSpacetime scene) (sceneObserver scene) place,
+        tracerLens =
+          if sceneAperture scene > 0
+            then Just (Lens frame (0.5 * sceneAperture scene) (1 / (sceneFocus scene * pixelWidth scene)))
+            else Nothing,
         tracerSkyShift = skyShiftAt (sceneShifts scene) (frequencyAtRest (sceneSpacetime scene) place),
         tracerRegion = sceneRegion scene,
         tracerPaths = tracing (sceneSpacetime scene) method (XYZ.norm place),
@@ -118,3 +132,32 @@ tracedSight traced point = sightDirection (tracerPlane traced) point >>= sightFr
 -- | 'tracedSight' at an offset from a point, exact however small the offset is.
 sightBesidePoint :: Tracer -> XY -> XY -> Maybe SightLine
 sightBesidePoint traced point offset = sightBeside (tracerPlane traced) point offset >>= sightFrom (tracerEye traced)
+
+-- | The camera as a pinhole in a random point of its lens, one for each point of the
+-- picture: the thin lens of Cook, Porter and Carpenter 1984, in the observer's frame. What
+-- lies at the distance of focus is at the same place of the picture through every point of
+-- the lens. Space counts as flat across the lens. So a line of sight may be continued
+-- straight to the sphere around the hole on which the lens's middle lies, where its light
+-- paths are those of the table; one almost along that sphere, which sees little but the
+-- sky, is shifted onto it instead. Without a lens, the camera itself.
+throughLens :: Tracer -> XY -> Tracer
+throughLens traced point@(XY px py) = case tracerLens traced of
+  Nothing -> traced
+  Just (Lens frame size pixels) -> fromMaybe traced {tracerLens = Nothing} $ do
+    let bits = sipHash2 (SipKey (sceneSeed scene) 0x6c656e73) (castDoubleToWord64 px) (castDoubleToWord64 py)
+        fraction w = (fromIntegral (w .&. 0xffffffff) + 0.5) / 4294967296
+        radius = size * sqrt (fraction bits)
+        angle = 2 * pi * fraction (bits `shiftR` 32)
+        across = radius * cos angle
+        upwards = radius * sin angle
+        plane = shiftedPlane (pixels * across) (pixels * upwards) (tracerPlane traced)
+        place = eyePlace (tracerEye traced)
+        offset = across *^ frameRight frame ^+^ upwards *^ frameUp frame
+    outwards <- XYZ.normalize place
+    direction <- sightDirection plane point
+    let slope = XYZ.dot direction outwards
+        straight = offset ^-^ (XYZ.dot offset outwards * slope / (slope * slope + 0.01)) *^ direction
+    onSphere <- XYZ.normalize (place ^+^ straight)
+    pure traced {tracerLens = Nothing, tracerPlane = plane, tracerEye = eye (sceneSpacetime scene) (sceneObserver scene) (XYZ.norm place *^ onSphere)}
+  where
+    scene = tracerScene traced

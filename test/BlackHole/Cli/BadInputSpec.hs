@@ -5,11 +5,11 @@ module BlackHole.Cli.BadInputSpec (spec) where
 import BlackHole.Cli.Help (Entry (..), parserEntries)
 import BlackHole.Cli.Join (openTiles)
 import BlackHole.Cli.Options
+import BlackHole.Cli.Render.Options (renderScene)
 import BlackHole.Cli.SceneOptions
 import BlackHole.Image.Coding
 import BlackHole.Image.File
 import BlackHole.Image.Metadata (Metadata (..))
-import BlackHole.Image.Panorama (readPanorama)
 import BlackHole.Light.Display
 import BlackHole.Light.Dither
 import BlackHole.Light.Radiance (isFiniteRadiance)
@@ -29,6 +29,7 @@ import qualified Data.ByteString.Lazy as Lazy
 import Data.List (intercalate)
 import qualified Data.Vector.Storable as Vector
 import Support.Exposing
+import Support.Panorama
 import Support.Program (quietly)
 import System.Exit (ExitCode (..))
 import System.FilePath ((</>))
@@ -84,7 +85,7 @@ spec = do
   it "takes at most 1024 scenes from the metadata of a picture with motion blur, in every format" $ do
     let film = pixelShape 2 2 3 >>= (`fromPixelVector` Vector.replicate 12 0.5)
         written format text = join <$> traverse (encoded oneWorker format (Metadata "b" defaultCoding text) development noLayers) film
-        development = Development (Exposure 0) ToneFilm NoDither
+        development = Development (Exposure 0) ToneFilm noGrain NoDither
         lineCount = length (Characters.lines sceneBytes)
         forged n count = sceneBytes <> lined (("# moments " ++ show (n + 1)) : replicate n ("# moment with lines " ++ show count))
         scenesIn = either (const 0) length . resolveMetadata (SceneOptions Nothing Nothing []) "a.png"

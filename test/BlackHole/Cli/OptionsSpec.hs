@@ -1,8 +1,9 @@
 module BlackHole.Cli.OptionsSpec (spec) where
 
 import BlackHole.Cli.Options
-import BlackHole.Cli.Photon (PhotonOptions (..))
+import BlackHole.Cli.Photon.Options (PhotonOptions (..))
 import BlackHole.Cli.Rays (RaysOptions (..))
+import BlackHole.Cli.Render.Options
 import BlackHole.Cli.SceneOptions (resolveScene)
 import BlackHole.Light.Display (Exposure (..), ToneMap (..))
 import BlackHole.Light.Dither (Dither (..))
@@ -55,7 +56,7 @@ spec = do
     misused ["render", "one.yaml", "stray"] ["stray"]
   it "an unknown preset is told with the nearest name" $
     scene ["--preset", "reprot"]
-      `shouldBe` Left ["--preset: reprot is not a preset (did you mean report?); the presets are: default, report, interstellar, edge-on, face-on, luminet, lens-only, photon-ring, falling, kerr"]
+      `shouldBe` Left ["--preset: reprot is not a preset (did you mean report?); the presets are: default, report, interstellar, edge-on, face-on, luminet, lens-only, photon-ring, falling, m87, kerr"]
   it "two ways to place the camera clash" $
     scene ["--position", "0,1,9", "--distance", "4"]
       `shouldBe` Left ["--position, --look-at: cannot be combined with --distance, --inclination or --azimuth"]

@@ -49,7 +49,7 @@ spec = do
               identify ["-format", "%w %h", file] `shouldReturn` Characters.pack (show width ++ " " ++ show height)
   describe "decoded" $ do
     it "PNG in 16 bits has every code, by JuicyPixels and by ImageMagick" $ do
-      codes <- toPixelVector <$> developFilmFinely oneWorker exposure ToneFilm film
+      codes <- toPixelVector <$> developFilmFinely oneWorker (Development exposure ToneFilm noGrain NoDither) 0 film
       inFile "a.png" (Coding (Just 16) Nothing) $ \file -> do
         picture <- decodePng <$> Bytes.readFile file
         case picture of
@@ -59,7 +59,7 @@ spec = do
           raw <- convert [file, "-depth", "16", "-endian", "MSB", "rgb:-"]
           words16 raw == Vector.toList codes `shouldBe` True
     it "TIFF in 16 bits has every code, by JuicyPixels and by ImageMagick" $ do
-      codes <- toPixelVector <$> developFilmFinely oneWorker exposure ToneFilm film
+      codes <- toPixelVector <$> developFilmFinely oneWorker (Development exposure ToneFilm noGrain NoDither) 0 film
       inFile "a.tif" defaultCoding $ \file -> do
         picture <- decodeTiff <$> Bytes.readFile file
         case picture of
@@ -70,7 +70,7 @@ spec = do
           words16 raw == Vector.toList codes `shouldBe` True
     it "JPEG is near the developed picture" $ do
       let gentle = arrayOf 3 (Vector.generate (3 * width * height) (\i -> fromIntegral ((i `quot` 3) `rem` width) / fromIntegral (width * (1 + i `rem` 3))))
-      codes <- toPixelVector <$> developFilm oneWorker exposure ToneFilm NoDither gentle
+      codes <- toPixelVector <$> developFilm oneWorker (Development exposure ToneFilm noGrain NoDither) gentle
       file <- encoded oneWorker Jpeg (tagged (Coding Nothing (Just 95)) scene) development noLayers gentle
       case convertRGB8 <$> maybe (Left "not encoded") (decodeJpeg . Lazy.toStrict) file of
         Right image -> do
@@ -151,7 +151,7 @@ spec = do
     tagged = Metadata "blackhole 1.2.3"
     scene = Characters.pack "camera:\n  distance: 30\n\nname: caf\195\169\n"
     exposure = Exposure 0
-    development = Development exposure ToneFilm NoDither
+    development = Development exposure ToneFilm noGrain NoDither
     coded workers path metadata = case formatOf path of
       Nothing -> pure Nothing
       Just format -> encoded workers format metadata development redshift film

@@ -1,7 +1,6 @@
 module BlackHole.Image.GoldenSpec (spec) where
 
 import BlackHole.Image.Coding
-import BlackHole.Image.File
 import BlackHole.Image.Metadata
 import BlackHole.Render.Layer (noLayers)
 import BlackHole.Render.Workers
@@ -36,6 +35,6 @@ spec = do
       case film of
         Nothing -> expectationFailure "the scene is not valid"
         Just exposed -> do
-          let development = Development (sceneExposure scene) (sceneToneMap scene) (sceneDither scene)
+          let development = sceneDevelopment scene
           file <- encoded oneWorker Png (Metadata "blackhole" defaultCoding Bytes.empty) development noLayers exposed
           maybe (expectationFailure "not encoded") (`shouldMatchGolden` name) file

@@ -34,14 +34,14 @@ spec =
         banded <- inBands bits exposed
         codesIn banded `shouldBe` expected
   where
-    scene = defaultScene {scenePicture = Picture 12 7, sceneBloom = 0}
+    scene = defaultScene {scenePicture = Picture 12 7, sceneBloom = 0, sceneGrain = 200}
     film = case pixelShape 12 7 3 >>= (`fromPixelVector` Vector.generate (3 * 12 * 7) (\i -> fromIntegral i / 300)) of
       Just pixels -> pixels
       Nothing -> error "the test's picture has another size"
     codesOf :: Int -> Scene -> IO (Vector.Vector Int)
     codesOf bits exposed
-      | bits == 16 = Vector.map fromIntegral . toPixelVector <$> developFilmFinely oneWorker (sceneExposure exposed) (sceneToneMap exposed) film
-      | otherwise = Vector.map fromIntegral . toPixelVector <$> developFilm oneWorker (sceneExposure exposed) (sceneToneMap exposed) (sceneDither exposed) film
+      | bits == 16 = Vector.map fromIntegral . toPixelVector <$> developFilmFinely oneWorker (sceneDevelopment exposed) 0 film
+      | otherwise = Vector.map fromIntegral . toPixelVector <$> developFilm oneWorker (sceneDevelopment exposed) film
     codesIn :: Bytes.ByteString -> Vector.Vector Int
     codesIn bytes = case decodePng bytes of
       Right (ImageRGB8 image) -> Vector.map fromIntegral (imageData image)

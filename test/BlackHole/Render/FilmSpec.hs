@@ -89,4 +89,4 @@ developed n = case workersFromCount n of
   Nothing -> pure Nothing
   Just workers -> withWorkers workers $ do
     film <- exposeWhole workers small
-    traverse (fmap toPixelVector . developFilm workers (Exposure 0) ToneFilm BlueNoise) film
+    traverse (fmap toPixelVector . developFilm workers (Development (Exposure 0) ToneFilm noGrain BlueNoise)) film

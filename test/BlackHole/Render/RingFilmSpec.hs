@@ -22,8 +22,8 @@ spec = do
   it "has an even photon ring with the default's samples" $ do
     light <- ring (above 30)
     -- It was 0.24, and the brightest place 4 times as bright as the darkest.
-    spread light `shouldSatisfy` (< 0.1)
-    maximum light / minimum light `shouldSatisfy` (< 2)
+    spread light `shouldSatisfy` (< 0.06)
+    maximum light / minimum light `shouldSatisfy` (< 1.5)
   it "keeps the ring's light with every filter: its mean is that of many samples everywhere" $
     forM_ [minBound .. maxBound] $ \kind -> do
       -- Without adaptive sampling no pixel is treated as one on the ring.

@@ -31,7 +31,7 @@ spec = do
         case (,) <$> exposed <*> tracer scene of
           Nothing -> expectationFailure "cannot be traced"
           Just (film, traced) -> do
-            picture <- developFilm oneWorker (sceneExposure scene) (sceneToneMap scene) (sceneDither scene) film
+            picture <- developFilm oneWorker (sceneDevelopment scene) film
             forM_ [(x, y) | x <- [0, 2 .. 7], y <- [0, 2 .. 4]] $ \(x, y) ->
               fmap ((\(r, g, b) -> [r, g, b]) . shownCodes . explainedShown) (explainPixel traced x y)
                 `shouldBe` (Vector.toList <$> pixelChannels picture x y)

@@ -13,22 +13,20 @@ where
 import BlackHole.Light.Display (Exposure (..), ToneMap (..), toneMapName)
 import BlackHole.Light.Dither (Dither (..))
 import BlackHole.Numeric.Angle
-import BlackHole.Scene.Camera (Camera (cameraFieldOfView, cameraPose, cameraRoll), Picture (..), Pose (..), Projection (..), posePosition, projectionFieldOfView, projectionHeight, projectionName)
-import BlackHole.Scene.Disk (DiskColour (..), DiskProfile (..), defaultDisk)
+import BlackHole.Scene.Camera (Camera (cameraFieldOfView, cameraRoll), Projection (..), projectionName)
+import BlackHole.Scene.Disk (DiskProfile (..))
 import qualified BlackHole.Scene.Disk as Gas
 import BlackHole.Scene.Field.Field
 import BlackHole.Scene.Field.Kind
+import BlackHole.Scene.Field.Parts
 import BlackHole.Scene.Filter (Filter (..), filterName)
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Shifts (Shifts (..))
-import BlackHole.Scene.Sky (Panorama (..), PointStars (..), RealSky (..), Sky (..), Stars (..), defaultPointStars, defaultStars, panoramaOf, realSky)
-import BlackHole.Spacetime.Kerr.Landmarks
+import BlackHole.Scene.Sky (Panorama (..), PointStars (..), RealSky (..), Stars (..))
 import qualified BlackHole.Spacetime.Observer as Observer
-import BlackHole.Spacetime.Types (Spacetime (..), spacetimeIsco)
-import BlackHole.Vector.XYZ (XYZ (..))
 import Data.List (intercalate)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (fromMaybe, isJust)
+import Data.Maybe (fromMaybe)
 
 -- | The greatest width and height of a picture in pixels.
 maximumPictureSide :: Int
@@ -82,6 +80,10 @@ sceneFields =
       `withOption` ("roll", "DEGREES"),
     number Camera "camera.fov" (angle (Above 0) (UpTo 360) "degrees") "Field of view across the width of the picture in degrees: below 180 in perspective, up to 360 in the other projections" (camera (part (inDegrees . cameraFieldOfView) (\v c -> c {cameraFieldOfView = Degrees v})))
       `withOption` ("fov", "DEGREES"),
+    number Camera "camera.aperture" (Quantity "a length" (From 0) (UpTo 1e4) radii) "Diameter of the lens in Schwarzschild radii, for depth of field; 0 for a pinhole. Setting it also focuses on the hole" aperturePart
+      `withOption` ("aperture", "R"),
+    number Camera "camera.focus" (Quantity "a distance" (Above 0) (UpTo 1e9) radii) "Distance along the line of sight at which the picture is sharp, in Schwarzschild radii" (part sceneFocus (\v s -> s {sceneFocus = v}))
+      `withOption` ("focus", "R"),
     choice Observer "camera.observer" "an observer" observers "Motion of the observer: static, zamo (without angular momentum, turning with the space around a rotating hole), orbiting, counter-orbiting, falling, or coordinate (aims by coordinate directions, like the design report)" (part sceneObserver (\v s -> s {sceneObserver = v}))
       `withOption` ("observer", "WHO"),
     whole Image "image.width" (1, maximumPictureSide) "pixels" "Width of the picture in pixels; also sets the height: to 9/16 of it, in a fisheye picture to the same, in an equirectangular one to half of it" widthPart
@@ -113,7 +115,7 @@ sceneFields =
     number Disk "disk.opacity" (Quantity "an optical depth" (From 0) (UpTo 1e6) "") "Optical depth of gas of full density over a path as long as the thickness" (disk (part Gas.diskOpacity (\v d -> d {Gas.diskOpacity = v})))
       `withOption` ("disk-opacity", "TAU"),
     number Disk "disk.brightness" (Quantity "a radiance" (From 0) (UpTo 1e9) "") "Radiance of opaque gas where it is brightest; 1 is display white at exposure 0" (disk (part Gas.diskBrightness (\v d -> d {Gas.diskBrightness = v}))),
-    choice Disk "disk.colour" "a way to colour the gas" [(RampGlow, "hue-ramp", "yellow inside to red outside, without physics"), (BlackBodyGlow, "black-body", "by its temperature"), (BolometricGlow, "bolometric", "all wavelengths together, without colour")] "Colour of the gas: black-body, bolometric (intensity over all wavelengths, without colour), or hue-ramp (yellow to red by radius, as in the design report, without physics)" glowPart,
+    choice Disk "disk.colour" "a way to colour the gas" [(RampGlow, "hue-ramp", "yellow inside to red outside, without physics"), (BlackBodyGlow, "black-body", "by its temperature"), (BolometricGlow, "bolometric", "all wavelengths together, without colour"), (SynchrotronGlow, "synchrotron", "radio waves of a thin flow, without colour")] "Colour of the gas: black-body, bolometric (intensity over all wavelengths, without colour), synchrotron (radio waves of an optically thin flow, without colour), or hue-ramp (yellow to red by radius, as in the design report, without physics)" glowPart,
     number Disk "disk.temperature" (Quantity "a temperature" (From 500) (UpTo 1e6) "kelvin") "Temperature of the gas in kelvin where it is hottest; makes the gas a black body" temperaturePart
       `withOption` ("temperature", "KELVIN"),
     number Disk "disk.time" (Quantity "a time" (From (-1e9)) (UpTo 1e9) "r_s/c") "Time up to which the gas has moved, in r_s/c (Schwarzschild radii over the speed of light)" (disk (part Gas.diskTime (\v d -> d {Gas.diskTime = v})))
@@ -167,8 +169,17 @@ sceneFields =
       `withOption` ("tone-map", "NAME"),
     switch Output "output.dither" "Whether to dither 8-bit files to prevent banding" (part ((== BlueNoise) . sceneDither) (\on s -> s {sceneDither = if on then BlueNoise else NoDither}))
       `withOption` ("dither", "on|off"),
+    number Output "output.beam" (Quantity "an angle" (From 0) (UpTo 90) "degrees") "Full width at half maximum, in degrees, of the Gaussian with which a radio telescope blurs the picture; 0 for none" (part sceneBeam (\v s -> s {sceneBeam = v}))
+      `withOption` ("beam", "DEGREES"),
     number Output "output.bloom" (Quantity "a fraction" (From 0) (UpTo 1) "of the light") "Fraction of the light that the lens scatters, 0 to 1" (part sceneBloom (\v s -> s {sceneBloom = v}))
       `withOption` ("bloom", "FRACTION"),
+    whole Output "output.spikes" (0, 64) "" "Number of straight edges of the aperture that make diffraction spikes: an even number makes as many spikes, an odd one twice as many; 0 for none" (part sceneSpikes (\v s -> s {sceneSpikes = v}))
+      `withOption` ("spikes", "N"),
+    number Output "output.spike-light" (Quantity "a fraction" (From 0) (UpTo 1) "of the light") "Fraction of the light in the spikes, 0 to 1" (part sceneSpikeLight (\v s -> s {sceneSpikeLight = v})),
+    number Output "output.grain" (Quantity "a length" (From 0) (UpTo 100) "thousandths of the width") "Diameter of the dots of ink that make up the picture, in thousandths of its width; 0 for continuous tones" (part sceneGrain (\v s -> s {sceneGrain = v}))
+      `withOption` ("grain", "SIZE"),
+    number Output "output.scale-bar" (Quantity "a length" (From 0) (UpTo 1e6) radii) "Length of a scale bar in the lower right corner, in Schwarzschild radii at the distance of the hole; 0 for none" (part sceneScaleBar (\v s -> s {sceneScaleBar = v}))
+      `withOption` ("scale-bar", "R"),
     switch Diagnostics "diagnostics.debug-textures" "Show checkerboards instead of the disk and the sky" (part sceneDebugTextures (\v s -> s {sceneDebugTextures = v}))
       `withFlag` ("debug-textures", SwitchValue True, "Show checkerboards instead of the disk and the sky")
   ]
@@ -214,206 +225,4 @@ sceneFields =
       ToneReinhard -> "low contrast"
       ToneAces -> "high contrast"
       ToneAgx -> "for very high dynamic range"
-
--- | A part that is always present.
-part :: (whole -> part) -> (part -> whole -> whole) -> Part whole part
-part get = Part (Just . get)
-
--- Setting the width sets the height, too; the height's own setting comes later.
-widthPart, heightPart :: Part Scene Int
-widthPart = part (pictureWidth . scenePicture) $ \w s ->
-  let height
-        | w > 0 = projectionHeight (sceneProjection s) w
-        | otherwise = pictureHeight (scenePicture s)
-   in s {scenePicture = Picture w height}
-heightPart = part (pictureHeight . scenePicture) (\h s -> s {scenePicture = (scenePicture s) {pictureHeight = h}})
-
--- Choosing the projection that is there already leaves everything alone.
-projectionPart :: Part Scene Projection
-projectionPart = part sceneProjection $ \projection s ->
-  let width = pictureWidth (scenePicture s)
-   in if projection == sceneProjection s
-        then s
-        else
-          s
-            { sceneProjection = projection,
-              sceneCamera = (sceneCamera s) {cameraFieldOfView = projectionFieldOfView projection},
-              scenePicture = Picture width (projectionHeight projection width),
-              sceneBloom = if projection == Equirectangular then 0 else sceneBloom s
-            }
-
-camera :: Part Camera a -> Part Scene a
-camera = inside (part sceneCamera (\c s -> s {sceneCamera = c}))
-
--- For a camera placed by position, a distance or an angle changes the position's
--- spherical coordinates.
-distancePart, inclinationPart, azimuthPart :: Part Scene Double
-distancePart = around (\r _ _ -> r) (\r (_, i, a) -> Around r i a)
-inclinationPart = around (\_ i _ -> inDegrees i) (\i (r, _, a) -> Around r (Degrees i) a)
-azimuthPart = around (\_ _ a -> inDegrees a) (\a (r, i, _) -> Around r i (Degrees a))
-
-around :: (Double -> Degrees -> Degrees -> Double) -> (Double -> (Double, Degrees, Degrees) -> Pose) -> Part Scene Double
-around get put =
-  camera . pose $
-    Part
-      shown
-      (\v -> put v . spherical)
-  where
-    shown (Around r i a) = Just (get r i a)
-    shown (LookAt _ _) = Nothing
-    spherical (Around r i a) = (r, i, a)
-    spherical (LookAt (XYZ x y z) _) =
-      let rho = sqrt (x * x + z * z)
-       in ( sqrt (rho * rho + y * y),
-            toDegrees (Radians (atan2 rho y)),
-            toDegrees (Radians (atan2 z x))
-          )
-
--- A new position makes the camera look at the hole; a new target keeps the position.
-positionPart, lookAtPart :: Part Scene XYZ
-positionPart = camera . pose $ Part (fmap fst . placed) (\place _ -> LookAt place (XYZ 0 0 0))
-lookAtPart = camera . pose $ Part (fmap snd . placed) (\target p -> LookAt (posePosition p) target)
-
-placed :: Pose -> Maybe (XYZ, XYZ)
-placed (LookAt place target) = Just (place, target)
-placed Around {} = Nothing
-
-pose :: Part Pose a -> Part Camera a
-pose = inside (part cameraPose (\p c -> c {cameraPose = p}))
-
-shifts :: Part Shifts a -> Part Scene a
-shifts = inside (part sceneShifts (\v s -> s {sceneShifts = v}))
-
-gravityPart :: Part Scene Bool
-gravityPart = part ((/= Flat) . sceneSpacetime) $ \on s -> case (on, sceneSpacetime s) of
-  (False, _) -> s {sceneSpacetime = Flat}
-  (True, Flat) -> s {sceneSpacetime = Schwarzschild}
-  (True, _) -> s
-
--- A disk that reaches down to the innermost stable orbit goes on doing so; a radius that
--- is given is set afterwards.
-spinPart :: Part Scene Double
-spinPart = Part (spinOf . sceneSpacetime) $ \v s -> case (sceneSpacetime s, spin v) of
-  (Flat, _) -> s
-  (_, Nothing) -> s
-  (before, Just hole) ->
-    let after = if v == 0 then Schwarzschild else Kerr hole
-        follow d
-          | abs (Gas.diskInnerRadius d - spacetimeIsco before) < 1e-9 = d {Gas.diskInnerRadius = spacetimeIsco after}
-          | otherwise = d
-     in s {sceneSpacetime = after, sceneDisk = follow <$> sceneDisk s}
-  where
-    spinOf space = case space of
-      Flat -> Nothing
-      Schwarzschild -> Just 0
-      Kerr hole -> Just (dimensionlessSpin hole)
-
-presencePart :: Part Scene Bool
-presencePart = part (isJust . sceneDisk) $ \present s -> case (present, sceneDisk s) of
-  (False, _) -> s {sceneDisk = Nothing}
-  (True, Nothing) -> s {sceneDisk = Just defaultDisk}
-  (True, Just _) -> s
-
-disk :: Part Gas.Disk a -> Part Scene a
-disk = inside (Part sceneDisk (\d s -> s {sceneDisk = Just d}))
-
--- | 'DiskColour' without its parameters.
-data ColourKind = RampGlow | BlackBodyGlow | BolometricGlow
-  deriving (Eq)
-
-glowPart :: Part Scene ColourKind
-glowPart = disk (part (glowOf . Gas.diskColour) (\glow d -> d {Gas.diskColour = colourOf glow (Gas.diskColour d)}))
-  where
-    glowOf HueRamp = RampGlow
-    glowOf (BlackBody _) = BlackBodyGlow
-    glowOf Bolometric = BolometricGlow
-    colourOf RampGlow _ = HueRamp
-    colourOf BolometricGlow _ = Bolometric
-    colourOf BlackBodyGlow colour@(BlackBody _) = colour
-    colourOf BlackBodyGlow _ = BlackBody 2100
-
-temperaturePart :: Part Scene Double
-temperaturePart = disk (Part (temperature . Gas.diskColour) (\v d -> d {Gas.diskColour = BlackBody v}))
-  where
-    temperature (BlackBody t) = Just t
-    temperature _ = Nothing
-
--- | 'Sky' without its parameters.
-data SkyKind = NoiseSky | StarSky | RandomStarSky | PanoramaSky !FilePath | GridSky | UniformSky | NoSky
-  deriving (Eq)
-
--- Choosing the present kind, or another file, keeps the other settings of the sky.
-skyKindPart :: Part Scene SkyKind
-skyKindPart = part (skyKind . sceneSky) $ \kind s -> case (kind, sceneSky s) of
-  (PanoramaSky file, SkyPanorama p) -> s {sceneSky = SkyPanorama p {panoramaFile = file}}
-  (_, sky) | kind == skyKind sky -> s
-  _ -> s {sceneSky = standard kind}
-  where
-    standard kind = case kind of
-      NoiseSky -> SkyNoise defaultStars
-      StarSky -> SkyStars realSky
-      RandomStarSky -> SkyRandomStars defaultPointStars
-      PanoramaSky file -> SkyPanorama (panoramaOf file)
-      GridSky -> SkyGrid
-      UniformSky -> SkyUniform 1
-      NoSky -> SkyNone
-
-skyKind :: Sky -> SkyKind
-skyKind sky = case sky of
-  SkyNoise _ -> NoiseSky
-  SkyStars _ -> StarSky
-  SkyRandomStars _ -> RandomStarSky
-  SkyPanorama p -> PanoramaSky (panoramaFile p)
-  SkyGrid -> GridSky
-  SkyUniform _ -> UniformSky
-  SkyNone -> NoSky
-
-panoramaSkyFile :: SkyKind -> Maybe FilePath
-panoramaSkyFile (PanoramaSky file) = Just file
-panoramaSkyFile _ = Nothing
-
-panorama :: Part Panorama a -> Part Scene a
-panorama = inside (Part (shown . sceneSky) (\v s -> s {sceneSky = SkyPanorama v}))
-  where
-    shown (SkyPanorama p) = Just p
-    shown _ = Nothing
-
-radiancePart :: Part Scene Double
-radiancePart = Part (uniform . sceneSky) $ \v s ->
-  if skyKind (sceneSky s) == UniformSky then s {sceneSky = SkyUniform v} else s
-  where
-    uniform (SkyUniform v) = Just v
-    uniform _ = Nothing
-
-stars :: Part Stars a -> Part Scene a
-stars = inside (Part (noise . sceneSky) (\v s -> s {sceneSky = SkyNoise v}))
-  where
-    noise (SkyNoise v) = Just v
-    noise _ = Nothing
-
-realStars :: Part RealSky a -> Part Scene a
-realStars = inside (Part (real . sceneSky) (\v s -> s {sceneSky = SkyStars v}))
-  where
-    real (SkyStars v) = Just v
-    real _ = Nothing
-
-rotationPart :: Part Scene Double
-rotationPart = Part (rotation . sceneSky) $ \v s -> case sceneSky s of
-  SkyStars real -> s {sceneSky = SkyStars real {realSkyRotation = Degrees v}}
-  SkyPanorama p -> s {sceneSky = SkyPanorama p {panoramaRotation = Degrees v}}
-  _ -> s
-  where
-    rotation (SkyStars real) = Just (inDegrees (realSkyRotation real))
-    rotation (SkyPanorama p) = Just (inDegrees (panoramaRotation p))
-    rotation _ = Nothing
-
--- | A part of the random stars. Setting one makes the real stars random, which some
--- presets show instead of random ones in scenes of earlier versions.
-pointStars :: Part PointStars a -> Part Scene a
-pointStars (Part get set) = Part (\scene -> random (sceneSky scene) >>= get) $ \v scene -> case sceneSky scene of
-  SkyRandomStars points -> scene {sceneSky = SkyRandomStars (set v points)}
-  SkyStars _ -> scene {sceneSky = SkyRandomStars (set v defaultPointStars)}
-  _ -> scene
-  where
-    random (SkyRandomStars v) = Just v
-    random _ = Nothing
+      ToneRadio -> "luminance as false colour, black to orange to white"
