@@ -37,7 +37,7 @@ data Command
     Render RenderOptions
   | -- | Join the tiles of a picture.
     Join JoinOptions
-  | -- | Render the frames of a film.
+  | -- | Render the frames of an animation.
     Animate (AnimateOptions SceneOptions)
   | -- | List, print or check scenes.
     Scenes SceneCommand
@@ -166,8 +166,8 @@ described =
       (Task . Render <$> renderOptions),
     describe
       "animate"
-      "Render the frames of a film."
-      "The film is a scene file with a section animation (see: blackhole help animation), or an orbit around the hole in any scene (--orbit). Renders only frames that are missing, outdated or damaged, so an interrupted film continues where it stopped. Several processes can share the work."
+      "Render the frames of an animation."
+      "The animation is a scene file with a section animation (see: blackhole help animation), or an orbit around the hole in any scene (--orbit). Renders only frames that are missing, outdated or damaged, so an interrupted animation continues where it stopped. Several processes can share the work."
       ["blackhole animate --preset luminet --orbit 360 --duration 4 -o frames/%05d.png", "blackhole animate scenes/orbit.yaml -o frames/%05d.png --video orbit.mp4"]
       (Task . Animate <$> animateOptions sceneOptions),
     describe

@@ -3,13 +3,10 @@
 -- | The film: the linear radiance of every pixel, and its development for a display.
 module BlackHole.Render.Film
   ( Film,
-    exposeFilm,
-    exposeFilmWithSky,
-    exposeRows,
-    exposeRowsWithSky,
     Exposed (..),
     SampleCounts,
-    exposeCounted,
+    exposeFilm,
+    allRows,
     countsRow,
     filmRows,
     developFilm,
@@ -48,28 +45,6 @@ import System.Mem (performMajorGC)
 -- | Linear radiance in three channels, row by row from the top.
 type Film = PixelArray Float
 
--- | Traces every pixel of a scene. The callback receives the number of finished rows.
--- The result does not depend on the number of workers. 'Nothing' if the scene is not
--- valid.
-exposeFilm :: Workers -> (Int -> IO ()) -> Scene -> IO (Maybe Film)
-exposeFilm = exposeFilmWithSky Nothing
-
--- | 'exposeFilm' with the environment map, for a scene that has one
--- ('BlackHole.Trace.Sky.neededPicture'); without its map such a scene yields 'Nothing'.
-exposeFilmWithSky :: Maybe EnvironmentMap -> Workers -> (Int -> IO ()) -> Scene -> IO (Maybe Film)
-exposeFilmWithSky picture workers progress scene =
-  exposeRowsWithSky picture workers progress scene (0, pictureHeight (scenePicture scene))
-
--- | 'exposeFilm' for a band of the picture: its first row and its number of rows (at
--- least 1). The numbers equal those of the whole film. 'Nothing' also if the picture
--- has no such rows.
-exposeRows :: Workers -> (Int -> IO ()) -> Scene -> (Int, Int) -> IO (Maybe Film)
-exposeRows = exposeRowsWithSky Nothing
-
--- | 'exposeRows' with the environment map, for a scene that has one.
-exposeRowsWithSky :: Maybe EnvironmentMap -> Workers -> (Int -> IO ()) -> Scene -> (Int, Int) -> IO (Maybe Film)
-exposeRowsWithSky picture workers progress scene band = fmap exposedLight <$> exposeCounted picture workers progress scene band
-
 -- | The number of samples of each pixel, in one channel.
 type SampleCounts = PixelArray Float
 
@@ -79,6 +54,10 @@ data Exposed = Exposed
     -- | 'Nothing' if every pixel got the scene's number of samples.
     exposedCounts :: !(Maybe SampleCounts)
   }
+
+-- | The band of all rows of a picture.
+allRows :: Picture -> (Int, Int)
+allRows (Picture _ height) = (0, height)
 
 -- | @countsRow scene exposed row@ is the number of samples of each pixel in a row,
 -- counted from the first exposed row; empty for other rows.
@@ -99,11 +78,16 @@ filmRows film (first, rows)
   where
     shape = pixelArrayShape film
 
--- | 'exposeRowsWithSky' with the number of samples of each pixel.
-exposeCounted :: Maybe EnvironmentMap -> Workers -> (Int -> IO ()) -> Scene -> (Int, Int) -> IO (Maybe Exposed)
-exposeCounted picture workers progress scene (first, rows)
+-- | @exposeFilm sky workers progress scene (first, rows)@ traces a band of a picture,
+-- given by its first row and its number of rows (at least 1). @sky@ is the environment
+-- map, for a scene that has one ('BlackHole.Trace.Sky.neededPicture'). @progress@ is
+-- called with the number of finished rows. The numbers equal those of the same rows of
+-- any other band, for any number of workers. 'Nothing' if the scene is not valid or lacks
+-- its map, or if the picture has no such rows.
+exposeFilm :: Maybe EnvironmentMap -> Workers -> (Int -> IO ()) -> Scene -> (Int, Int) -> IO (Maybe Exposed)
+exposeFilm sky workers progress scene (first, rows)
   | first < 0 || first > height - rows = pure Nothing
-  | otherwise = case (,) <$> pixelShape width rows 3 <*> tracerWithSky picture scene of
+  | otherwise = case (,) <$> pixelShape width rows 3 <*> tracerWithSky sky scene of
     Nothing -> pure Nothing
     Just (shape, traced) -> do
       _ <- mapShared workers pure (tracerTables traced)
@@ -113,7 +97,7 @@ exposeCounted picture workers progress scene (first, rows)
   where
     Picture width height = scenePicture scene
 
--- | The work of 'exposeRows' for adaptive sampling: traces the first samples of some
+-- | The work of 'exposeFilm' for adaptive sampling: traces the first samples of some
 -- rows, then, once all their neighbours are known, the additional samples of these
 -- rows, and continues with the next rows. The number of rows at a time is a compromise:
 -- workers seldom wait for each other, and the sums of all samples need little memory in

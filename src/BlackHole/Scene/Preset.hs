@@ -93,27 +93,28 @@ lensOnlyScene =
 -- Interstellar", section 4: a\/M = 0.6, gas from 9.26 M to 18.7 M, seen from 74.1 M at
 -- 86.56 degrees.
 interstellarScene :: Scene
-interstellarScene = maybe id (\hole scene -> scene {sceneSpacetime = Kerr hole}) (spin 0.6) $
-  defaultScene
-    { sceneCamera = Camera (Around 37.05 (Degrees 86.56) (Degrees 90)) (Degrees (-4)) (Degrees 40),
-      sceneDisk =
-        Just
-          defaultDisk
-            { diskInnerRadius = 4.63,
-              diskOuterRadius = 11,
-              diskFade = 0.85,
-              diskThickness = 0.05,
-              diskOpacity = 4,
-              diskBrightness = 2.6,
-              diskArms = 0,
-              diskTurbulenceFrequency = 18,
-              diskHaze = 0.006,
-              diskHazeHeight = 4,
-              diskColour = BlackBody 4500
-            },
-      sceneShifts = Shifts False False,
-      sceneBloom = 0.15
-    }
+interstellarScene =
+  maybe id (\hole scene -> scene {sceneSpacetime = Kerr hole}) (spin 0.6) $
+    defaultScene
+      { sceneCamera = Camera (Around 37.05 (Degrees 86.56) (Degrees 90)) (Degrees (-4)) (Degrees 40),
+        sceneDisk =
+          Just
+            defaultDisk
+              { diskInnerRadius = 4.63,
+                diskOuterRadius = 11,
+                diskFade = 0.85,
+                diskThickness = 0.05,
+                diskOpacity = 4,
+                diskBrightness = 2.6,
+                diskArms = 0,
+                diskTurbulenceFrequency = 18,
+                diskHaze = 0.006,
+                diskHazeHeight = 4,
+                diskColour = BlackBody 4500
+              },
+        sceneShifts = Shifts False False,
+        sceneBloom = 0.15
+      }
 
 luminetScene :: Scene
 luminetScene =

@@ -1,6 +1,7 @@
 module BlackHole.Image.WriteSpec (spec) where
 
 import BlackHole.Image.Coding
+import BlackHole.Image.Destination
 import BlackHole.Image.Write
 import BlackHole.Light.Display
 import BlackHole.Render.Film
@@ -11,7 +12,7 @@ import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene
 import Codec.Picture
-import Control.Monad (forM_)
+import Control.Monad (forM_, (>=>))
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.List.NonEmpty (NonEmpty (..))
@@ -28,7 +29,7 @@ spec =
       it (show bits ++ " bits, " ++ show stops ++ " stops") $ do
         let exposed = scene {sceneExposure = Exposure stops}
         expected <- codesOf bits exposed
-        whole <- finishFilm oneWorker "blackhole" Png (Coding (Just bits) Nothing) (exposed :| []) (Exposed film Nothing)
+        whole <- pictureBytes oneWorker "blackhole" Png (Coding (Just bits) Nothing) (exposed :| []) (Exposed film Nothing)
         fmap (codesIn . Lazy.toStrict) whole `shouldBe` Just expected
         banded <- inBands bits exposed
         codesIn banded `shouldBe` expected
@@ -47,6 +48,6 @@ spec =
       Right (ImageRGB16 image) -> Vector.map fromIntegral (imageData image)
       _ -> Vector.empty
     inBands bits exposed = withSystemTempDirectory "blackhole-spec" $ \folder -> do
-      let write = finishBands oneWorker "blackhole" Png (Coding (Just bits) Nothing) (exposed :| []) (pure . filmRows film) (const (pure Vector.empty))
-      forM_ write (withBinaryFile (folder </> "a.png") WriteMode)
+      let write = pictureEncoder oneWorker "blackhole" Png (Coding (Just bits) Nothing) (exposed :| []) (const (pure Vector.empty))
+      forM_ write $ \encode -> withBinaryFile (folder </> "a.png") WriteMode (toHandle >=> encode (pure . filmRows film))
       Bytes.readFile (folder </> "a.png")

@@ -18,6 +18,7 @@ import Data.Maybe (mapMaybe)
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as Vector
 import Support.Approx
+import Support.Exposing
 import Test.Hspec
 
 spec :: Spec
@@ -74,7 +75,7 @@ spec = do
       case findPreset "m87" of
         Nothing -> expectationFailure "there is no such preset"
         Just m87 -> do
-          exposed <- exposeFilm oneWorker (const (pure ())) m87 {scenePicture = Picture 164 92}
+          exposed <- exposeWhole oneWorker m87 {scenePicture = Picture 164 92}
           light <- maybe (pure Vector.empty) (fmap toPixelVector . opticsFilm oneWorker m87 {scenePicture = Picture 164 92, sceneScaleBar = 0}) exposed
           -- One pixel is one microarcsecond. The profile along a radius, over position angles.
           let profile angle = [sample light (82 + r * sin angle) (46 - r * cos angle) | r <- [0 .. 35]]

@@ -12,6 +12,7 @@ import BlackHole.Scene.Scene
 import BlackHole.Scene.Sky
 import qualified BlackHole.Vector.XYZ as XYZ
 import Control.Monad (forM_)
+import Support.Exposing
 import Test.Hspec
 
 -- The thin ring at the edge of the shadow, a third of a pixel wide, of smooth gas seen
@@ -74,7 +75,7 @@ above distance =
 -- at 720 places around it.
 ring :: Scene -> IO [Double]
 ring scene = do
-  film <- exposeFilm oneWorker (const (pure ())) scene
+  film <- exposeWhole oneWorker scene
   let at x y = maybe (0 / 0) luminance (film >>= \f -> filmRadiance f x y)
       -- Between the middles of four pixels.
       between x y =

@@ -19,6 +19,7 @@ import qualified BlackHole.Vector.XYZ as XYZ
 import Control.Monad (forM_)
 import qualified Data.Vector.Storable as Vector
 import Support.Approx
+import Support.Exposing
 import Test.Hspec
 
 spec :: Spec
@@ -26,7 +27,7 @@ spec = do
   describe "the codes are those of the rendered picture" $
     forM_ scenes $ \(name, scene) ->
       it name $ do
-        exposed <- exposeFilm oneWorker (const (pure ())) scene
+        exposed <- exposeWhole oneWorker scene
         case (,) <$> exposed <*> tracer scene of
           Nothing -> expectationFailure "cannot be traced"
           Just (film, traced) -> do

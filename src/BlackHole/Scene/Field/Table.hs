@@ -27,7 +27,8 @@ import qualified BlackHole.Spacetime.Observer as Observer
 import BlackHole.Spacetime.Types (Spacetime (..))
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ
-import Data.List (find, intercalate)
+import Data.List (intercalate)
+import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, isJust)
 
 -- | The greatest width and height of a picture in pixels.
@@ -36,7 +37,10 @@ maximumPictureSide = 65536
 
 -- | A setting by its path.
 findField :: String -> Maybe Field
-findField path = find ((== path) . fieldPath) sceneFields
+findField path = Map.lookup path fieldsByPath
+
+fieldsByPath :: Map.Map String Field
+fieldsByPath = Map.fromList [(fieldPath field, field) | field <- sceneFields]
 
 -- | Former paths of settings with the present ones. Scene files may still use them.
 formerPaths :: [(String, String)]
@@ -337,10 +341,10 @@ disk :: Part Gas.Disk a -> Part Scene a
 disk = inside (Part sceneDisk (\d s -> s {sceneDisk = Just d}))
 
 -- | 'DiskColour' without its parameters.
-data Glow = RampGlow | BlackBodyGlow | BolometricGlow | SynchrotronGlow
+data ColourKind = RampGlow | BlackBodyGlow | BolometricGlow | SynchrotronGlow
   deriving (Eq)
 
-glowPart :: Part Scene Glow
+glowPart :: Part Scene ColourKind
 glowPart = disk (part (glowOf . Gas.diskColour) (\glow d -> d {Gas.diskColour = colourOf glow (Gas.diskColour d)}))
   where
     glowOf HueRamp = RampGlow
