@@ -25,7 +25,9 @@ run arguments = do
     Right status -> pure (exitCode status)
     Left failure
       | Just (SomeAsyncException _) <- fromException failure -> throwIO failure
-      | otherwise -> exitCode <$> complain InternalFault (unwords (lines (displayException (failure :: SomeException))))
+      | otherwise ->
+        exitCode
+          <$> complain InternalFault (unwords (lines (displayException (failure :: SomeException))))
 
 dispatch :: [String] -> IO ExitStatus
 dispatch arguments
@@ -34,7 +36,10 @@ dispatch arguments
     mapM_ say (formerOptionWarnings arguments) >> case parseArguments versionLine arguments of
       Inform text -> printed Done (text ++ "\n")
       Unnamed text -> UsageError <$ tell (text ++ "\n")
-      Misused line -> complain UsageError (line ++ " (see: " ++ unwords ("blackhole help" : named) ++ ")")
+      Misused line ->
+        complain
+          UsageError
+          (line ++ " (see: " ++ unwords ("blackhole help" : named) ++ ")")
       Run command -> runCommand command
   where
     named = filter (`elem` map commandName commandHelps) (take 1 arguments)

@@ -73,7 +73,15 @@ stoppable atOnce action = do
 -- | Whether the process was started with a signal ignored, where the system tells.
 ignored :: Signal -> IO Bool
 ignored signal = do
-  status <- try (readFile "/proc/self/status" >>= \text -> text <$ evaluate (length text)) :: IO (Either IOException String)
-  pure $ case [bits | Right text <- [status], ["SigIgn:", digits] <- map words (lines text), (bits, "") <- readHex digits] of
-    bits : _ -> testBit (bits :: Integer) (fromIntegral signal - 1)
-    [] -> False
+  status <-
+    try (readFile "/proc/self/status" >>= \text -> text <$ evaluate (length text)) ::
+      IO
+        (Either IOException String)
+  pure $
+    case [ bits
+           | Right text <- [status],
+             ["SigIgn:", digits] <- map words (lines text),
+             (bits, "") <- readHex digits
+         ] of
+      bits : _ -> testBit (bits :: Integer) (fromIntegral signal - 1)
+      [] -> False
