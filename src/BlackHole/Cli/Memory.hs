@@ -51,7 +51,9 @@ pictureMemory (Making product' blurred kept) scene rows =
       ( ofProduct :
           [ n
             | (True, n) <-
-                [ (sceneBloom scene > 0, 18),
+                [ (sceneBeam scene > 0, 18),
+                  (sceneBloom scene > 0, 18),
+                  (sceneSpikes scene > 0, 18),
                   (blurred, 48),
                   (kept, 14),
                   (mostSamples scene > sceneSamples scene, 8)
