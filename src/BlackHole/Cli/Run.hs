@@ -13,7 +13,14 @@ import BlackHole.Cli.Render.Render (render)
 import BlackHole.Cli.SceneCommand (runSceneCommand)
 import BlackHole.Cli.SelfTest (selfTest)
 import BlackHole.Cli.Version (versionLine)
-import Control.Exception (SomeAsyncException (..), SomeException, displayException, fromException, throwIO, try)
+import Control.Exception
+  ( SomeAsyncException (..),
+    SomeException,
+    displayException,
+    fromException,
+    throwIO,
+    try,
+  )
 import System.Exit (ExitCode (..))
 
 -- | Runs the program with its arguments. Every failure is reported in one line on

@@ -18,7 +18,16 @@ import GHC.Clock (getMonotonicTime)
 import Numeric (readHex)
 import System.Exit (ExitCode (..))
 import System.Posix.Process (exitImmediately)
-import System.Posix.Signals (Handler (Catch, Ignore), Signal, installHandler, sigHUP, sigINT, sigTERM, sigXCPU, sigXFSZ)
+import System.Posix.Signals
+  ( Handler (Catch, Ignore),
+    Signal,
+    installHandler,
+    sigHUP,
+    sigINT,
+    sigTERM,
+    sigXCPU,
+    sigXFSZ,
+  )
 
 -- | The exception that a signal becomes in the main thread.
 newtype Stopped = Stopped Signal
