@@ -1,3 +1,5 @@
+{-# LANGUAGE TupleSections #-}
+
 -- | The scenes that @blackhole render@ renders.
 module BlackHole.Cli.Render.Scenes (renderedScenes) where
 
@@ -41,7 +43,7 @@ renderedScenes options = case renderFrom options of
                   ++ " may render it differently"
               )
           pure
-            ( flip (,) (codingAfter path metadata)
+            ( (,codingAfter path metadata)
                 <$> resolveMetadata (renderScene options) path (metadataScene metadata)
             )
   where
