@@ -68,13 +68,19 @@ alongPath path duration seconds scene = case path of
   FreeFall pace
     | Just r <- fallRadius space cosine start (properTime pace start) ->
       Right (posed (moveTo r)) {sceneObserver = Falling}
-    | otherwise -> Left ("after " ++ show seconds ++ " s, the camera has fallen into the centre of the hole")
+    | otherwise ->
+      Left
+        ("after " ++ show seconds ++ " s, the camera has fallen into the centre of the hole")
   CircularOrbit rate
     | not inPlane -> Left "the camera must be in the disk's plane (camera.inclination 90)"
     | Just phase <- orbitPhase space start (rate * seconds) ->
       let Degrees turned = toDegrees (Radians phase)
        in Right (posed (turnPose (XYZ 0 1 0) turned pose)) {sceneObserver = Orbiting}
-    | otherwise -> Left ("there is no circular orbit at the camera's distance, " ++ show start ++ " Schwarzschild radii")
+    | otherwise ->
+      Left
+        ( "there is no circular orbit at the camera's distance, " ++ show start
+            ++ " Schwarzschild radii"
+        )
   where
     camera = sceneCamera scene
     pose = cameraPose camera
@@ -117,4 +123,7 @@ turnPose axis@(XYZ ax ay az) degrees pose = case pose of
         ^+^ sin angle *^ XYZ.cross axis v
         ^+^ ((1 - cos angle) * XYZ.dot axis v) *^ axis
     around place@(XYZ x y z) =
-      Around (XYZ.norm place) (toDegrees (Radians (atan2 (sqrt (x * x + z * z)) y))) (toDegrees (Radians (atan2 z x)))
+      Around
+        (XYZ.norm place)
+        (toDegrees (Radians (atan2 (sqrt (x * x + z * z)) y)))
+        (toDegrees (Radians (atan2 z x)))

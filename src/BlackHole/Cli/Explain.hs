@@ -28,7 +28,9 @@ import Numeric (showEFloat, showFFloat)
 pixelProblems :: Picture -> (Int, Int) -> [Problem]
 pixelProblems (Picture width height) (x, y) =
   [ Problem "--pixel" (show x ++ "," ++ show y) $
-      "a pixel of this picture: X from 0 to " ++ show (width - 1) ++ ", Y from 0 to " ++ show (height - 1) ++ ", counted from the top left"
+      "a pixel of this picture: X from 0 to " ++ show (width - 1) ++ ", Y from 0 to "
+        ++ show (height - 1)
+        ++ ", counted from the top left"
     | x < 0 || y < 0 || x >= width || y >= height
   ]
 
@@ -37,7 +39,11 @@ pixelProblems (Picture width height) (x, y) =
 explanationLines :: Scene -> Explanation -> [String]
 explanationLines scene explanation =
   tableLines (LeftAligned : repeat RightAligned) $
-    [ Line ("pixel " ++ show x ++ "," ++ show y ++ " of " ++ show width ++ " x " ++ show height ++ " (column and row, from 0 at the top left)"),
+    [ Line
+        ( "pixel " ++ show x ++ "," ++ show y ++ " of " ++ show width ++ " x "
+            ++ show height
+            ++ " (column and row, from 0 at the top left)"
+        ),
       Line "",
       Line "line of sight through the centre of the pixel (lengths in Schwarzschild radii)"
     ]
@@ -46,12 +52,16 @@ explanationLines scene explanation =
       ++ sampleRows (explainedSamples explanation)
       ++ [ Line "",
            heading "picture",
-           colour (if sceneSamples scene == 1 then "radiance" else "mean radiance of the samples") (explainedRadiance explanation),
+           colour
+             (if sceneSamples scene == 1 then "radiance" else "mean radiance of the samples")
+             (explainedRadiance explanation),
            colour ("exposed by " ++ short stops ++ " stops") (shownExposed shown),
            colour ("tone map " ++ toneMapName (sceneToneMap scene)) (shownToneMapped shown),
            field "sRGB codes" (map show [r, g, b])
          ]
-      ++ [Line "  (before bloom, which adds light from the rest of the picture)" | sceneBloom scene > 0]
+      ++ [ Line "  (before bloom, which adds light from the rest of the picture)"
+           | sceneBloom scene > 0
+         ]
   where
     (x, y) = explainedPixel explanation
     Picture width height = scenePicture scene
@@ -64,18 +74,28 @@ explanationLines scene explanation =
 sightRows :: Scene -> Sighting -> [Row]
 sightRows scene sighting =
   [ field "point in the picture" [decimal px, decimal py],
-    maybe (remark "direction" "none: outside the fisheye's circle") (field "direction" . vector) (sightingDirection sighting)
+    maybe
+      (remark "direction" "none: outside the fisheye's circle")
+      (field "direction" . vector)
+      (sightingDirection sighting)
   ]
     ++ maybe [Line "  no light arrives from this direction"] arriving (sightingArrival sighting)
   where
     XY px py = sightingPoint sighting
     arriving light =
       constantRows (arrivalConstants light)
-        ++ [ remark "frequency / at infinity" (decimal (arrivalFrequency light) ++ "  (" ++ observerName (sceneObserver scene) ++ " observer)"),
+        ++ [ remark
+               "frequency / at infinity"
+               ( decimal (arrivalFrequency light) ++ "  (" ++ observerName (sceneObserver scene)
+                   ++ " observer)"
+               ),
              remark "fate" (fateText (arrivalFate light)),
-             remark "steps" (show (arrivalSteps light) ++ " (" ++ integratorName (sceneIntegrator scene) ++ ")"),
+             remark
+               "steps"
+               (show (arrivalSteps light) ++ " (" ++ integratorName (sceneIntegrator scene) ++ ")"),
              Line "",
-             Line "crossings of the disk's plane, from the camera onwards (g: observed / emitted frequency of gas there)"
+             Line
+               "crossings of the disk's plane, from the camera onwards (g: observed / emitted frequency of gas there)"
            ]
         ++ crossingRows scene (arrivalCrossings light)
         ++ [ Line "",
@@ -107,7 +127,9 @@ crossingRows scene crossings = Cells ("" : titles) : zipWith row [1 :: Int ..] c
   where
     shifts = sceneShifts scene
     everything = shifts == Shifts True True
-    titles = ["r", "azimuth (deg)", "g", "g (gravity)", "g (motion)"] ++ ["g (shown)" | not everything]
+    titles =
+      ["r", "azimuth (deg)", "g", "g (gravity)", "g (motion)"]
+        ++ ["g (shown)" | not everything]
     row n crossing =
       field ("crossing " ++ show n) $
         decimal (crossingRadius crossing) :
@@ -137,7 +159,9 @@ lightRows sighting =
     parts light =
       [ colour "from the gas" (arrivalGas light),
         colour "from the sky, before the gas" (arrivalSky light),
-        colour "from the sky, through the gas" (scaleRadiance (arrivalTransmittance light) (arrivalSky light))
+        colour
+          "from the sky, through the gas"
+          (scaleRadiance (arrivalTransmittance light) (arrivalSky light))
       ]
 
 -- | The samples, if there is more than one.

@@ -24,9 +24,21 @@ kerrChecks = landmarkChecks ++ shadowChecks ++ rayChecks ++ [fluxCheck]
 landmarkChecks :: [Check]
 landmarkChecks =
   [ at 0.9 "horizon at spin 0.9" horizonRadius 0.71794494717703368,
-    at 0.9 "innermost stable orbit with the hole at spin 0.9" (iscoRadius RightHanded) 1.1604415208809436,
-    at 0.9 "innermost stable orbit against the hole at spin 0.9" (iscoRadius LeftHanded) 4.3586761398032447,
-    at 0.9 "photon orbit with the hole at spin 0.9" (photonOrbitRadius RightHanded) 0.7789273137116914
+    at
+      0.9
+      "innermost stable orbit with the hole at spin 0.9"
+      (iscoRadius RightHanded)
+      1.1604415208809436,
+    at
+      0.9
+      "innermost stable orbit against the hole at spin 0.9"
+      (iscoRadius LeftHanded)
+      4.3586761398032447,
+    at
+      0.9
+      "photon orbit with the hole at spin 0.9"
+      (photonOrbitRadius RightHanded)
+      0.7789273137116914
   ]
   where
     at s name radius reference = Check name (withSpin s radius) reference 1e-12
@@ -34,13 +46,26 @@ landmarkChecks =
 -- | The extent of the shadow that an observer at rest sees, on both sides of the centre.
 shadowChecks :: [Check]
 shadowChecks =
-  [ Check "shadow at spin 0.9, r = 30, inclination 82: left edge (deg)" (edge minimum) (-2.7166244836136827) 1e-6,
-    Check "shadow at spin 0.9, r = 30, inclination 82: right edge (deg)" (edge maximum) 6.3818614502107871 1e-6
+  [ Check
+      "shadow at spin 0.9, r = 30, inclination 82: left edge (deg)"
+      (edge minimum)
+      (-2.7166244836136827)
+      1e-6,
+    Check
+      "shadow at spin 0.9, r = 30, inclination 82: right edge (deg)"
+      (edge maximum)
+      6.3818614502107871
+      1e-6
   ]
   where
     -- Close to the middle of the edge's upper and lower half the angle is stationary.
     edge side = withSpin 0.9 $ \hole -> case shadow hole (Place 30 (82 * pi / 180)) of
-      Just rim -> side [180 / pi * atan2 nphi (negate nr) | k <- [0 .. 20000 :: Int], let Direction nr _ nphi = shadowEdge rim (pi * fromIntegral k / 20000)]
+      Just rim ->
+        side
+          [ 180 / pi * atan2 nphi (negate nr)
+            | k <- [0 .. 20000 :: Int],
+              let Direction nr _ nphi = shadowEdge rim (pi * fromIntegral k / 20000)
+          ]
       Nothing -> notANumber
 
 -- | A line of sight that winds around a fast hole: its constants, its end, and the gas
@@ -67,7 +92,12 @@ rayChecks =
 
 -- | Page and Thorne's flux.
 fluxCheck :: Check
-fluxCheck = Check "radius of the disk's greatest flux at spin 0.9" (withSpin 0.9 (fst . thinDiskPeak . thinDisk)) 1.7209216811787638 1e-12
+fluxCheck =
+  Check
+    "radius of the disk's greatest flux at spin 0.9"
+    (withSpin 0.9 (fst . thinDiskPeak . thinDisk))
+    1.7209216811787638
+    1e-12
 
 withSpin :: Double -> (Spin -> Double) -> Double
 withSpin s value = maybe notANumber value (spin s)

@@ -51,7 +51,11 @@ criticalChecks =
   [ Check "critical impact parameter, closed form" (threshold capturedExactly) critical 1e-14,
     -- The error is 0.19 l² for steps of equal length l; 0.25 leaves a margin.
     Check "critical impact parameter, leapfrog, step 0.1" coarse critical (0.25 * 0.1 * 0.1),
-    Check "critical impact parameter, leapfrog, limit of short steps" ((4 * fine - coarse) / 3) critical 1e-5
+    Check
+      "critical impact parameter, leapfrog, limit of short steps"
+      ((4 * fine - coarse) / 3)
+      critical
+      1e-5
   ]
   where
     critical = 1.5 * sqrt 3
@@ -96,12 +100,22 @@ deflectionReferences =
 -- against Synge 1966: sin²ψ = (27/4)(1−1/r)/r².
 shadowAngleChecks :: [Check]
 shadowAngleChecks =
-  [ Check ("shadow half-angle of an observer at rest at r = " ++ place ++ " (deg)") (edge r) reference limit
-    | (place, r, reference, limit) <- [("1.5", 1.5, 90, 1e-9), ("3", 3, 45, 1e-9), ("10", 10, 14.2690273, 5e-8)]
+  [ Check
+      ("shadow half-angle of an observer at rest at r = " ++ place ++ " (deg)")
+      (edge r)
+      reference
+      limit
+    | (place, r, reference, limit) <-
+        [("1.5", 1.5, 90, 1e-9), ("3", 3, 45, 1e-9), ("10", 10, 14.2690273, 5e-8)]
   ]
   where
     edge r = 180 / pi * bisect (dark r) 0 (0.9 * pi)
-    dark r psi = case sightLine Schwarzschild Static (XYZ 0 0 r) (XYZ (sin psi) 0 (negate (cos psi))) >>= sightPhoton of
+    dark r psi = case sightLine
+      Schwarzschild
+      Static
+      (XYZ 0 0 r)
+      (XYZ (sin psi) 0 (negate (cos psi)))
+      >>= sightPhoton of
       Nothing -> True
       Just photon ->
         let Photon x v = photon
@@ -113,8 +127,16 @@ shadowAngleChecks =
 -- | The integrator's order of convergence, and its conserved quantities.
 leapfrogChecks :: [Check]
 leapfrogChecks =
-  [ Check "leapfrog: energy error, step 0.1 over step 0.05" (worstEnergy 0.1 / worstEnergy 0.05) 4 0.1,
-    Check "leapfrog: direction error, step 0.1 over step 0.05" (directionError 0.1 / directionError 0.05) 4 0.1,
+  [ Check
+      "leapfrog: energy error, step 0.1 over step 0.05"
+      (worstEnergy 0.1 / worstEnergy 0.05)
+      4
+      0.1,
+    Check
+      "leapfrog: direction error, step 0.1 over step 0.05"
+      (directionError 0.1 / directionError 0.05)
+      4
+      0.1,
     Check "leapfrog: relative change of h, report's steps" momentumChange 0 1e-12
   ]
   where
@@ -135,10 +157,15 @@ leapfrogChecks =
 redshiftChecks :: [Check]
 redshiftChecks =
   concat
-    [ [ Check ("greatest g from gas at r = " ++ place ++ ", seen edge-on") (maximum shifts) most 5e-8,
+    [ [ Check
+          ("greatest g from gas at r = " ++ place ++ ", seen edge-on")
+          (maximum shifts)
+          most
+          5e-8,
         Check ("least g from gas at r = " ++ place ++ ", seen edge-on") (minimum shifts) least 5e-8
       ]
-      | (place, r, most, least) <- [("4", 4, 1.3359816, 0.56138496), ("6", 6, 1.2665408, 0.65796014)],
+      | (place, r, most, least) <-
+          [("4", 4, 1.3359816, 0.56138496), ("6", 6, 1.2665408, 0.65796014)],
         let shifts = ringShifts r
     ]
 
@@ -191,7 +218,8 @@ aimedAt b = Photon (XYZ p 0 (sqrt (900 - p * p))) (XYZ 0 0 (negate speed))
 -- takes short steps.
 pathEnd :: StepRule -> Double -> Fate XYZ
 pathEnd rule b =
-  followedFate (followLeapfrog settings Schwarzschild emptyRegion (aimedAt b) (\() _ -> Continue ()) ())
+  followedFate
+    (followLeapfrog settings Schwarzschild emptyRegion (aimedAt b) (\() _ -> Continue ()) ())
   where
     settings = defaultLeapfrog {leapfrogSteps = rule, leapfrogSkyRadius = 400}
 
@@ -201,7 +229,12 @@ walk rule b = takeWhile ((<= 31) . XYZ.norm . photonPosition) (iterate step star
   where
     start = aimedAt b
     !h2 = XYZ.normSquared (angularMomentum start)
-    step p = leapfrogStep Schwarzschild h2 (stepLength rule (photonPosition p) / XYZ.norm (photonVelocity p)) p
+    step p =
+      leapfrogStep
+        Schwarzschild
+        h2
+        (stepLength rule (photonPosition p) / XYZ.norm (photonVelocity p))
+        p
 
 -- | The direction in which that photon escapes by the closed form.
 exactDirection :: Double -> Maybe XYZ

@@ -58,11 +58,21 @@ outcomeText json outcome
            ]
     RotatingOutcome report -> rotatingMembers report
   | otherwise = case outcome of
-    ExactOutcome report -> table [[name, content, unitOf name] | (name, content) <- rows report] ++ legend report
-    ComparedOutcome name report exact ->
-      table (["", name, "exact", "error", ""] : besides (rows report) (rows exact) (flatten (differenceMembers (reportDifference report exact))))
+    ExactOutcome report ->
+      table [[name, content, unitOf name] | (name, content) <- rows report]
         ++ legend report
-    RotatingOutcome report -> table [[name, content, unitOf name] | (name, content) <- flatten (rotatingMembers report)] ++ legendOf (not (null (kerrReportCrossings report)))
+    ComparedOutcome name report exact ->
+      table
+        ( ["", name, "exact", "error", ""] :
+          besides
+            (rows report)
+            (rows exact)
+            (flatten (differenceMembers (reportDifference report exact)))
+        )
+        ++ legend report
+    RotatingOutcome report ->
+      table [[name, content, unitOf name] | (name, content) <- flatten (rotatingMembers report)]
+        ++ legendOf (not (null (kerrReportCrossings report)))
   where
     rows = flatten . reportMembers
     besides own exact errors =
@@ -72,7 +82,10 @@ outcomeText json outcome
     cell name = fromMaybe "-" . lookup name
     table cells = unlines (tableLines (repeat LeftAligned) (map Cells cells))
     legend report =
-      unlines ["", "r_s is the Schwarzschild radius 2GM/c^2. A drift is relative to the value at the start."]
+      unlines
+        [ "",
+          "r_s is the Schwarzschild radius 2GM/c^2. A drift is relative to the value at the start."
+        ]
         ++ legendOf (not (null (reportCrossings report)))
     legendOf crosses =
       unlines
@@ -140,8 +153,13 @@ flatten :: [(String, Json)] -> [(String, String)]
 flatten = concatMap (uncurry rows)
   where
     rows name json = case json of
-      List items -> concat (zipWith (\n item -> rows (spaced name ++ " " ++ show n) item) [1 :: Int ..] items)
-      Object members -> concatMap (\(key, member) -> rows (singular name ++ ", " ++ key) member) members
+      List items ->
+        concat
+          (zipWith (\n item -> rows (spaced name ++ " " ++ show n) item) [1 :: Int ..] items)
+      Object members ->
+        concatMap
+          (\(key, member) -> rows (singular name ++ ", " ++ key) member)
+          members
       Text s -> [(spaced name, s)]
       Number d -> [(spaced name, showDouble d)]
       Whole n -> [(spaced name, show n)]
@@ -165,12 +183,15 @@ outcomePoints :: PhotonOutcome -> [PathPoint]
 outcomePoints outcome = case outcome of
   ExactOutcome report -> reportPath report
   ComparedOutcome _ report _ -> reportPath report
-  RotatingOutcome report -> [PathPoint time place | KerrPathPoint time place <- kerrReportPath report]
+  RotatingOutcome report ->
+    [PathPoint time place | KerrPathPoint time place <- kerrReportPath report]
 
 -- | The points of the path as CSV: swept angle in radians (around a rotating hole, Mino
 -- time), and radius and position in Schwarzschild radii.
 outcomeCsv :: PhotonOutcome -> Lazy.ByteString
-outcomeCsv outcome = Builder.toLazyByteString (foldMap line (heading : map row (outcomePoints outcome)))
+outcomeCsv outcome =
+  Builder.toLazyByteString
+    (foldMap line (heading : map row (outcomePoints outcome)))
   where
     heading = [parameter, "r", "x", "y", "z"]
     parameter = case outcome of
