@@ -16,6 +16,8 @@ import BlackHole.Cli.AnimateReport (filmStats)
 import BlackHole.Cli.Check (checkThreads)
 import BlackHole.Cli.Console
 import BlackHole.Cli.Explain (explanationLines, pixelProblems)
+import BlackHole.Cli.Explore (explore)
+import qualified BlackHole.Cli.Explore as Explore (Ending (..))
 import BlackHole.Cli.FilmScene (loadFilm)
 import BlackHole.Cli.Help (CommandHelp (commandName))
 import BlackHole.Cli.Join
@@ -139,6 +141,7 @@ dispatch arguments
       Run (Render options) -> render options
       Run (Join options) -> join options
       Run (Animate options) -> animate options
+      Run (Explore options) -> exploreStatus <$> explore programName options
       Run (Scenes task) -> scenes task
       Run (Photon options) -> photon options
       Run (Rays options) -> rays options
@@ -151,6 +154,14 @@ selfTestStatus :: [Check] -> ExitStatus
 selfTestStatus checks
   | all checkHolds checks = Done
   | otherwise = InternalFault
+
+-- | The result of @blackhole explore@.
+exploreStatus :: Explore.Ending -> ExitStatus
+exploreStatus ending = case ending of
+  Explore.Ended -> Done
+  Explore.Misuse -> UsageError
+  Explore.WrongScene -> BadInput
+  Explore.CannotServe -> CannotWrite
 
 -- | @blackhole photon@.
 photon :: PhotonOptions -> IO ExitStatus

@@ -10,6 +10,7 @@ module BlackHole.Render.Film
     Exposed (..),
     SampleCounts,
     exposeCounted,
+    exposeTraced,
     countsRow,
     filmRows,
     developFilm,
@@ -102,16 +103,21 @@ filmRows film (first, rows)
 
 -- | 'exposeRowsUnder' with the number of samples of each pixel.
 exposeCounted :: Maybe SkyImage -> Workers -> (Int -> IO ()) -> Scene -> (Int, Int) -> IO (Maybe Exposed)
-exposeCounted picture crew progress scene (first, rows)
+exposeCounted picture crew progress scene band = maybe (pure Nothing) (\traced -> exposeTraced traced crew progress band) (tracerUnder picture scene)
+
+-- | 'exposeCounted' for a scene that is prepared already.
+exposeTraced :: Tracer -> Workers -> (Int -> IO ()) -> (Int, Int) -> IO (Maybe Exposed)
+exposeTraced traced crew progress (first, rows)
   | first < 0 || first > height - rows = pure Nothing
-  | otherwise = case (,) <$> pixelShape width rows 3 <*> tracerUnder picture scene of
+  | otherwise = case pixelShape width rows 3 of
     Nothing -> pure Nothing
-    Just (shape, traced) -> do
+    Just shape -> do
       _ <- mapShared crew pure (tracerTables traced)
       if mostSamples scene > sceneSamples scene
         then refineRows crew progress traced shape first
         else Just . (`Exposed` Nothing) <$> generateRows crew progress shape (traceRow traced width . (first +))
   where
+    scene = tracedScene traced
     Picture width height = scenePicture scene
 
 -- | The work of 'exposeRows' for adaptive sampling: traces the first samples of some

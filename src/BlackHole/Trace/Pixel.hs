@@ -8,6 +8,7 @@ module BlackHole.Trace.Pixel
   ( Tracer,
     tracer,
     tracerUnder,
+    tracerAfter,
     tracerTables,
     addSamples,
     addSamplesToThree,
@@ -128,6 +129,31 @@ tracerUnder picture scene = do
       Just disk
         | sceneDebugTextures scene -> Checks disk
         | otherwise -> Gaseous (gas (sceneSpacetime scene) seed (sceneShifts scene) disk place (pixelAngle (sceneProjection scene) (sceneCamera scene) (scenePicture scene)) (sceneSamples scene))
+
+-- | @tracerAfter earlier picture scene@ is 'tracerUnder', but takes over those parts of
+-- an earlier tracer that are equal for this scene: the tables of the gas, of the light
+-- paths through the camera's position, and of the sky. The table of light paths is also
+-- taken over if the distance from the hole differs by rounding alone, so that radiance
+-- may differ by rounding from that of 'tracerUnder'. The environment map must be the one
+-- that the earlier tracer was made with if both scenes name the same file.
+tracerAfter :: Tracer -> Maybe SkyImage -> Scene -> Maybe Tracer
+tracerAfter earlier picture scene = reusing <$> tracerUnder picture scene
+  where
+    before = tracerScene earlier
+    same :: Eq a => (Scene -> a) -> Bool
+    same part = part before == part scene
+    place = posePosition (cameraPose (sceneCamera scene))
+    distance = XYZ.norm . posePosition . cameraPose . sceneCamera
+    reusing traced =
+      traced
+        { tracerMatter = case tracerMatter earlier of
+            Gaseous glowing
+              | same sceneDisk && same sceneSpacetime && same sceneSeed && same sceneShifts && same sceneDebugTextures ->
+                Gaseous (gasSeenFrom place (pixelAngle (sceneProjection scene) (sceneCamera scene) (scenePicture scene)) (sceneSamples scene) glowing)
+            _ -> tracerMatter traced,
+          tracerTable = if abs (distance scene - distance before) <= 1e-12 * distance scene then tracerTable earlier else tracerTable traced,
+          tracerSky = if same sceneSky && same sceneSeed && same sceneDebugTextures then tracerSky earlier else tracerSky traced
+        }
 
 -- | The parts of a tracer that take time to compute, for evaluation in advance and in
 -- parallel. Otherwise the first ray that needs a part waits for it.
