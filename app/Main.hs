@@ -2,7 +2,7 @@
 module Main (main) where
 
 import BlackHole.Cli.Descriptors (openClosedDescriptors)
-import BlackHole.Cli.Leave (leave)
+import BlackHole.Cli.FastExit (fastExit)
 import BlackHole.Cli.Run (run)
 import BlackHole.Cli.Signals (stoppable)
 import System.Environment (getArgs)
@@ -20,4 +20,4 @@ main = do
   arguments <- getArgs
   -- A film still has claims to give back, and --keep-partial a picture to write.
   let atOnce = take 1 arguments == ["render"] && "--keep-partial" `notElem` arguments
-  stoppable atOnce (run arguments) >>= leave
+  stoppable atOnce (run arguments) >>= fastExit

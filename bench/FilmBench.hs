@@ -3,7 +3,7 @@ module FilmBench (benchmarks) where
 
 import BlackHole.Image.Coding
 import BlackHole.Image.File
-import BlackHole.Image.Label
+import BlackHole.Image.Metadata
 import BlackHole.Light.Display
 import BlackHole.Light.Dither
 import BlackHole.Render.Bloom

@@ -13,15 +13,15 @@ module GasPlaces
   )
 where
 
+import BlackHole.Noise.CachedNoise
 import BlackHole.Noise.Lattice
 import BlackHole.Noise.PerlinG
 import BlackHole.Noise.Profile (normalised, octaves)
-import BlackHole.Noise.Remembered
 import BlackHole.Noise.Sheets
-import BlackHole.Physics.LightPath
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Disk
 import BlackHole.Scene.Scene
+import BlackHole.Spacetime.LightPath
 import BlackHole.Trace.Pixel
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
@@ -46,12 +46,12 @@ placesOf count scene = Places (Vector.fromList (concatMap components (take count
     found = fromMaybe [] $ do
       traced <- tracer small
       pure
-        [ stretchMiddle stretch
+        [ segmentMiddle segment
           | row <- [0, 11 .. 359 :: Int],
             column <- [0, 11 .. 639 :: Int],
             let point = XY (fromIntegral column + 0.5) (fromIntegral row + 0.5),
             Just sight <- [tracedSight traced point],
-            stretch <- reverse (followedState (followSight traced point sight (\s t -> Onward (t : s)) []))
+            segment <- reverse (followedState (followSight traced point sight (\s t -> Continue (t : s)) []))
         ]
 
 -- | The number of positions.
@@ -61,7 +61,7 @@ placeCount (Places numbers) = Vector.length numbers `quot` 3
 -- | Two ways to compute the same noise.
 data Field = Field
   { fieldName :: String,
-    fieldRemembered :: XYZ -> Double,
+    fieldCached :: XYZ -> Double,
     fieldHashed :: XYZ -> Double
   }
 
@@ -70,7 +70,7 @@ fields :: Disk -> [Field]
 fields disk =
   [ Field
       ("arms of " ++ show (diskArmNoiseOctaves disk) ++ " octaves, in space")
-      (rememberedPerlin3 (remember 2000000 seed profile (armPlace low) (armPlace high)) 64 . armPlace)
+      (cachedPerlin3 (cacheNoise 2000000 seed profile (armPlace low) (armPlace high)) 64 . armPlace)
       (perlin3 seed profile . armPlace),
     Field
       "turbulence of 4 octaves, in sheets"
@@ -119,7 +119,7 @@ total noise (Places numbers) = go 0
 -- | Whether both ways give the same bits at every position.
 agreeing :: Field -> Places -> Bool
 agreeing field (Places numbers) =
-  and [fieldRemembered field p == fieldHashed field p | i <- [0, 3 .. Vector.length numbers - 3], let p = placeAt numbers i]
+  and [fieldCached field p == fieldHashed field p | i <- [0, 3 .. Vector.length numbers - 3], let p = placeAt numbers i]
 
 placeAt :: Vector.Vector Double -> Int -> XYZ
 placeAt numbers i = XYZ (at 0) (at 1) (at 2)

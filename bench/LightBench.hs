@@ -4,8 +4,8 @@ module LightBench (benchmarks) where
 import BlackHole.Light.BlackBody
 import BlackHole.Light.BlackBodyTable
 import BlackHole.Light.Radiance
-import BlackHole.Physics.Redshift
-import BlackHole.Physics.ThinDisk
+import BlackHole.Matter.Redshift
+import BlackHole.Matter.ThinDisk
 import BlackHole.Vector.XYZ (XYZ (..))
 import Criterion.Main
 

@@ -1,7 +1,7 @@
 -- | Closed-form light paths: the cost per ray, and the cost per point.
 module OrbitBench (benchmarks) where
 
-import BlackHole.Physics.Orbit
+import BlackHole.Spacetime.Schwarzschild.Orbit
 import Criterion.Main
 
 -- | Setting up an orbit, evaluating points on it, and the deflection of light.

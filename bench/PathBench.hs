@@ -1,12 +1,12 @@
 -- | Following light: a leapfrog step, and complete rays by both integrators.
 module PathBench (benchmarks) where
 
-import BlackHole.Physics.ExactPath
-import BlackHole.Physics.Fate
-import BlackHole.Physics.Leapfrog
-import BlackHole.Physics.LightPath
-import BlackHole.Physics.Photon
-import BlackHole.Physics.Spacetime
+import BlackHole.Spacetime.Fate
+import BlackHole.Spacetime.LightPath
+import BlackHole.Spacetime.Photon
+import BlackHole.Spacetime.Schwarzschild.ExactPath
+import BlackHole.Spacetime.Schwarzschild.Leapfrog
+import BlackHole.Spacetime.Types
 import BlackHole.Vector.XYZ (XYZ (..))
 import Criterion.Main
 
@@ -34,14 +34,14 @@ aimedAt b = Photon (tilted (XYZ p 0 (sqrt (10000 - p * p)))) (tilted (XYZ 0 0 (n
 leapfrogOf :: Int -> Photon -> Fate
 leapfrogOf limit photon =
   followedFate $
-    followLeapfrog defaultLeapfrog {leapfrogSteps = rule, leapfrogStepLimit = limit} Schwarzschild emptyRegion photon (\() _ -> Onward ()) ()
+    followLeapfrog defaultLeapfrog {leapfrogSteps = rule, leapfrogStepLimit = limit} Schwarzschild emptyRegion photon (\() _ -> Continue ()) ()
   where
     -- A low step limit measures the cost of a single step, so no step may be skipped.
     rule = if limit < 10000 then ReportSteps 1e-3 0.01 else reportStepRule
 
 exactOf :: Region -> Photon -> Double
 exactOf region photon =
-  followedState (followExact Schwarzschild region photon (\s t -> Onward (s + stretchAffineLength t)) 0)
+  followedState (followExact Schwarzschild region photon (\s t -> Continue (s + segmentAffineLength t)) 0)
 
 slab :: Region
 slab = Region 12 0 0.3 0 0.13 0.02 1

@@ -157,7 +157,7 @@ reportNoise name scene = mapM_ (mapM_ one . fields) (sceneDisk scene)
   where
     places = placesOf 20000 scene
     one field = do
-      remembered <- secondsOf (fieldRemembered field)
+      remembered <- secondsOf (fieldCached field)
       hashed <- secondsOf (fieldHashed field)
       printf "noise, %s: %s: %.0f ns, hashed %.0f ns, %.1f times (target 5), %s\n" name (fieldName field) (perPlace remembered) (perPlace hashed) (hashed / remembered) (if agreeing field places then "bit-equal" else "NOT EQUAL")
     perPlace seconds = 1e9 * seconds / fromIntegral (placeCount places)

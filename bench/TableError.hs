@@ -5,10 +5,10 @@ module TableError
   )
 where
 
-import BlackHole.Physics.LensTable
-import BlackHole.Physics.Orbit
-import BlackHole.Physics.Radii (criticalImpactParameter)
-import BlackHole.Physics.Sweep
+import BlackHole.Spacetime.Schwarzschild.LensTable
+import BlackHole.Spacetime.Schwarzschild.Orbit
+import BlackHole.Spacetime.Schwarzschild.OrbitSeries
+import BlackHole.Spacetime.Schwarzschild.Radii (criticalImpactParameter)
 
 -- | The greatest errors found.
 data TableError = TableError
@@ -37,15 +37,15 @@ tableError count r = foldMap (errorOf . part) [0 .. count - 1]
     part i = (fromIntegral i + 0.5) / fromIntegral count
     errorOf along
       | abs (b - criticalImpactParameter) < 1e-4 = mempty
-      | otherwise = case (sweepEnd sweep, orbitFate path) of
+      | otherwise = case (seriesEnd series, orbitFate path) of
         (Leaves c s, Escapes angle) -> TableError (sqrt ((c - cos angle) * (c - cos angle) + (s - sin angle) * (s - sin angle))) crossings 0
         (FallsIn, Captured _) -> TableError 0 crossings 0
         (CirclesOn, Circles) -> mempty
         _ -> TableError 0 0 1
       where
         path = orbit r radial tangential
-        sweep = lensSweep table radial tangential
-        spacing = sweepSpacing sweep
+        series = lensSeries table radial tangential
+        spacing = seriesSpacing series
         b = r * tangential
         (radial, tangential)
           | r > 1 = (cos (pi * along), sin (pi * along) / sqrt (1 - 1 / r))
@@ -56,10 +56,10 @@ tableError count r = foldMap (errorOf . part) [0 .. count - 1]
               [ abs (1 / exactly - 1 / expansionValue (expand 1.5 u slope) (phi - middle))
                 | b > 1e-3,
                   k <- [0 .. 10 :: Int],
-                  let phi = sweepAngle sweep * (fromIntegral k + along) / 11
+                  let phi = seriesAngle series * (fromIntegral k + along) / 11
                       exactly = orbitInverseRadius path phi
-                      cell = max 0 (min (sweepCells sweep - 1) (truncate (phi / spacing)))
+                      cell = max 0 (min (seriesCells series - 1) (truncate (phi / spacing)))
                       middle = (fromIntegral cell + 0.5) * spacing
-                      (u, slope) = waypoint (sweepWaypoints sweep) spacing cell,
+                      (u, slope) = waypoint (seriesWaypoints series) spacing cell,
                   exactly > 1 / 30
               ]

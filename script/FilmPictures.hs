@@ -2,7 +2,7 @@
 module Main (main) where
 
 import BlackHole.Image.Coding
-import BlackHole.Image.Label
+import BlackHole.Image.Metadata
 import BlackHole.Image.Png
 import BlackHole.Light.BlackBody (blackBodyColour, unmappedColour)
 import BlackHole.Light.Display
@@ -36,18 +36,18 @@ main = do
   let folder = case arguments of
         given : _ -> given
         [] -> "docs/images"
-  crew <- defaultWorkers
-  withWorkers crew $ do
-    exposed <- exposeFilm crew (const (pure ())) defaultScene {scenePicture = Picture wide high, sceneSamples = 4}
+  workers <- defaultWorkers
+  withWorkers workers $ do
+    exposed <- exposeFilm workers (const (pure ())) defaultScene {scenePicture = Picture wide high, sceneSamples = 4}
     film <- maybe (die "the default scene cannot be traced") pure exposed
-    toneMaps <- mapM (\tone -> sheetOf <$> developFilm crew plain tone BlueNoise film) [ToneFilm, ToneNone, ToneReinhard, ToneAces, ToneAgx]
-    write crew folder "film-tone-maps.png" (inRows 2 (toneMaps ++ [channelByChannel film]))
-    write crew folder "film-hue.png" (inRows 1 [wedge byChannel, wedge (applyToneMap ToneFilm)])
-    write crew folder "film-red.png" (inRows 1 [strip towardsWhite, strip desaturateIntoGamut])
-    dithers <- mapM (\dither -> brightened . sheetOf <$> developFilm crew (Exposure (-6)) ToneFilm dither film) [NoDither, BlueNoise]
-    write crew folder "film-dither.png" (inRows 2 dithers)
-    blooms <- mapM (\strength -> bloomFilm crew strength film >>= fmap sheetOf . developFilm crew plain ToneFilm BlueNoise) [0, 0.03, 0.1, 0.3]
-    write crew folder "film-bloom.png" (inRows 2 blooms)
+    toneMaps <- mapM (\tone -> sheetOf <$> developFilm workers plain tone BlueNoise film) [ToneFilm, ToneNone, ToneReinhard, ToneAces, ToneAgx]
+    write workers folder "film-tone-maps.png" (inRows 2 (toneMaps ++ [channelByChannel film]))
+    write workers folder "film-hue.png" (inRows 1 [wedge byChannel, wedge (applyToneMap ToneFilm)])
+    write workers folder "film-red.png" (inRows 1 [strip towardsWhite, strip desaturateIntoGamut])
+    dithers <- mapM (\dither -> brightened . sheetOf <$> developFilm workers (Exposure (-6)) ToneFilm dither film) [NoDither, BlueNoise]
+    write workers folder "film-dither.png" (inRows 2 dithers)
+    blooms <- mapM (\strength -> bloomFilm workers strength film >>= fmap sheetOf . developFilm workers plain ToneFilm BlueNoise) [0, 0.03, 0.1, 0.3]
+    write workers folder "film-bloom.png" (inRows 2 blooms)
   where
     plain = Exposure 0
     wide = 480
@@ -121,9 +121,9 @@ inRows across sheets = Sheet (across * (width + gap) - gap) (down * (height + ga
             _ -> 255
 
 write :: Workers -> FilePath -> String -> Sheet -> IO ()
-write crew folder name (Sheet width height code) =
+write workers folder name (Sheet width height code) =
   case pixelShape width height 3 >>= \shape -> fromPixelVector shape codes of
-    Just pixels -> encodePng crew (Label "blackhole" defaultCoding Bytes.empty) (Codes8 pixels) >>= Lazy.writeFile (folder </> name)
+    Just pixels -> encodePng workers (Label "blackhole" defaultCoding Bytes.empty) (Codes8 pixels) >>= Lazy.writeFile (folder </> name)
     Nothing -> die (name ++ " is empty")
   where
     codes = Vector.generate (3 * width * height) (\i -> let (pixel, k) = i `quotRem` 3; (y, x) = pixel `quotRem` width in code x y k)

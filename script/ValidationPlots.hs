@@ -2,15 +2,15 @@
 -- The argument is the folder to write to.
 module Main (main) where
 
-import BlackHole.Physics.Bisection (bisect)
-import BlackHole.Physics.Fate (Fate (..))
-import BlackHole.Physics.Leapfrog
-import BlackHole.Physics.LightPath
-import BlackHole.Physics.Observer
-import BlackHole.Physics.Orbit (OrbitFate (Escapes), deflectionAngle, orbit, orbitFate)
-import BlackHole.Physics.Photon
-import BlackHole.Physics.Spacetime (Spacetime (..))
+import BlackHole.Numeric.Bisection (bisect)
 import BlackHole.SelfTest.Physics (deflectionReferences)
+import BlackHole.Spacetime.Fate (Fate (..))
+import BlackHole.Spacetime.LightPath
+import BlackHole.Spacetime.Observer
+import BlackHole.Spacetime.Photon
+import BlackHole.Spacetime.Schwarzschild.Leapfrog
+import BlackHole.Spacetime.Schwarzschild.Orbit (OrbitFate (Escapes), deflectionAngle, orbit, orbitFate)
+import BlackHole.Spacetime.Types (Spacetime (..))
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Maybe (mapMaybe)
@@ -100,13 +100,12 @@ seenBy observer r = 180 / pi * bisect dark 0 pi
 -- relative to the closed form.
 directionError :: Double -> Double -> Double
 directionError b l =
-  case (followedFate (followLeapfrog settings Schwarzschild nowhere photon (\() _ -> Onward ()) ()), orbitFate (orbit 30 (XYZ.dot x v / 30) (b / 30))) of
+  case (followedFate (followLeapfrog settings Schwarzschild emptyRegion photon (\() _ -> Continue ()) ()), orbitFate (orbit 30 (XYZ.dot x v / 30) (b / 30))) of
     (Escaped d, Escapes swept) ->
       XYZ.distance d (XYZ (sin (alpha + swept)) 0 (cos (alpha + swept)))
     _ -> 0 / 0
   where
     settings = defaultLeapfrog {leapfrogSteps = EqualSteps l, leapfrogSkyRadius = 2000}
-    nowhere = Region 0 (-1) 0 1 1
     speed = sqrt (1 + b * b / 27000)
     p = b / speed
     photon@(Photon x@(XYZ px _ pz) v) =

@@ -42,7 +42,7 @@ import qualified BlackHole.Cli.SceneOptions as SceneOptions
 import BlackHole.Cli.SkyFile (SkyFile (..), loadSky)
 import BlackHole.Image.AtomicFile (renderWriteProblem, writeFileAtomically)
 import BlackHole.Image.Coding (Format, defaultCoding, formatExtensions, formatOf)
-import BlackHole.Image.Finish (finishFilm)
+import BlackHole.Image.Write (finishFilm)
 import BlackHole.Light.Radiance (Radiance (..))
 import BlackHole.Render.Film (Exposed (..), exposeCounted)
 import qualified BlackHole.Render.Film as Film
@@ -107,10 +107,10 @@ printScene = SceneFile.printScene []
 -- through the gas.
 renderFilm :: (Int -> IO ()) -> Scene -> IO (Either [String] Film)
 renderFilm progress scene = case map renderProblem (validateScene scene) of
-  [] -> loadSky scene >>= either (pure . Left . pure) (crewed . under)
+  [] -> loadSky scene >>= either (pure . Left . pure) (withAllWorkers . under)
   problems -> pure (Left problems)
   where
-    under sky crew = maybe (Left ["this scene can't be traced"]) (Right . Film) <$> exposeCounted (skyFileImage <$> sky) crew progress scene (0, pictureHeight (scenePicture scene))
+    under sky workers = maybe (Left ["this scene can't be traced"]) (Right . Film) <$> exposeCounted (skyFileImage <$> sky) workers progress scene (0, pictureHeight (scenePicture scene))
 
 -- | The linear light of a scene's pixels, and the number of samples of each.
 newtype Film = Film Exposed
@@ -131,7 +131,7 @@ filmRadiance (Film exposed) = Film.filmRadiance (exposedLight exposed)
 -- stores the scene. 'Left' holds one line with the reason for a failure.
 writeFilm :: FilePath -> Scene -> Film -> IO (Either [String] ())
 writeFilm file scene (Film exposed) = inFormat file $ \format -> do
-  bytes <- crewed (\crew -> finishFilm crew software format defaultCoding (scene :| []) exposed)
+  bytes <- withAllWorkers (\workers -> finishFilm workers software format defaultCoding (scene :| []) exposed)
   case bytes of
     Nothing -> pure (Left [file ++ ": this format has no room for so large a picture"])
     Just content -> either (Left . pure . renderWriteProblem) Right <$> writeFileAtomically file content
@@ -151,7 +151,7 @@ inFormat file act = case formatOf file of
 software :: String
 software = "blackhole " ++ showVersion Package.version
 
-crewed :: (Workers -> IO a) -> IO a
-crewed action = do
-  crew <- defaultWorkers
-  withWorkers crew (action crew)
+withAllWorkers :: (Workers -> IO a) -> IO a
+withAllWorkers action = do
+  workers <- defaultWorkers
+  withWorkers workers (action workers)

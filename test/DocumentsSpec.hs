@@ -131,8 +131,8 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
     it "name the modules that use CPP" $ do
       sources <- filter ((== ".hs") . takeExtension) . concat <$> mapM filesBelow ["app", "backend", "bench", "script", "src"]
       preprocessed <- filterM (fmap (isInfixOf "{-# LANGUAGE CPP") . readFile) sources
-      preprocessed `shouldBe` ["src/BlackHole/Physics/Leapfrog.hs"]
-      lookup "CONTRIBUTING.md" texts `shouldSatisfy` maybe False (isInfixOf "CPP, except in\n  `BlackHole.Physics.Leapfrog`")
+      preprocessed `shouldBe` ["src/BlackHole/Spacetime/Schwarzschild/Leapfrog.hs"]
+      lookup "CONTRIBUTING.md" texts `shouldSatisfy` maybe False (isInfixOf "CPP, except in\n  `BlackHole.Spacetime.Schwarzschild.Leapfrog`")
   it "work in the program's help" $
     allWork (nub (concatMap (commandLines . unlines . mapMaybe shown . filter ("blackhole " `isInfixOf`) . filter (not . isPrefixOf "   ") . lines . helpOf) (topicNames ++ commands)))
   where
@@ -153,13 +153,13 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
 -- document, the quotation, the source file, and the beginning of a line in it.
 quotations :: [(FilePath, String, FilePath, String)]
 quotations =
-  [ ("docs/architecture.md", "up to 24 octaves", "src/BlackHole/Physics/LensTable.hs", "octaveCount = 24"),
-    ("docs/architecture.md", "octaves of 64 intervals", "src/BlackHole/Physics/LensTable.hs", "segmentCount = 64"),
-    ("docs/performance.md", "Closer than 2⁻²⁴ to the critical path", "src/BlackHole/Physics/LensTable.hs", "closest = 0.5 ^^ octaveCount"),
-    ("docs/physics.md", "b_c = 3√3/2 = 2.598076211353316", "src/BlackHole/Physics/Radii.hs", "criticalImpactParameter = 2.598076211353316"),
-    ("docs/physics.md", "greatest at r = 4.7755", "src/BlackHole/Physics/ThinDisk.hs", "peakRadius = 4.77546"),
+  [ ("docs/architecture.md", "up to 24 octaves", "src/BlackHole/Spacetime/Schwarzschild/LensTable.hs", "octaveCount = 24"),
+    ("docs/architecture.md", "octaves of 64 intervals", "src/BlackHole/Spacetime/Schwarzschild/LensTable.hs", "segmentCount = 64"),
+    ("docs/performance.md", "Closer than 2⁻²⁴ to the critical path", "src/BlackHole/Spacetime/Schwarzschild/LensTable.hs", "closest = 0.5 ^^ octaveCount"),
+    ("docs/physics.md", "b_c = 3√3/2 = 2.598076211353316", "src/BlackHole/Spacetime/Schwarzschild/Radii.hs", "criticalImpactParameter = 2.598076211353316"),
+    ("docs/physics.md", "greatest at r = 4.7755", "src/BlackHole/Matter/ThinDisk.hs", "peakRadius = 4.77546"),
     ("docs/physics.md", "Tracing stops when t < 0.01", "src/BlackHole/Trace/Gas.hs", "opaqueEnough = 0.01"),
-    ("docs/physics.md", "and 10 beyond r = 40", "src/BlackHole/Physics/Leapfrog.hs", "| r2 > 1600 = 10"),
+    ("docs/physics.md", "and 10 beyond r = 40", "src/BlackHole/Spacetime/Schwarzschild/Leapfrog.hs", "| r2 > 1600 = 10"),
     ("docs/options.md", "1 to 65536", "src/BlackHole/Scene/Field/Table.hs", "maximumPictureSide = 65536"),
     ("docs/sky.md", "8192 by 4096", "src/BlackHole/Image/Panorama.hs", "maximumPanoramaPixels = 8192 * 4096"),
     ("docs/film.md", "64×64", "src/BlackHole/Light/Dither.hs", "ditherTileSide = 64")

@@ -11,8 +11,8 @@ module Support.KerrReference
   )
 where
 
-import BlackHole.Physics.Kerr.Landmarks
-import BlackHole.Physics.Kerr.Sight
+import BlackHole.Spacetime.Kerr.Landmarks
+import BlackHole.Spacetime.Kerr.Sight
 import BlackHole.Vector.XYZ (XYZ (..))
 import Data.Maybe (fromMaybe, mapMaybe)
 import Text.Read (readMaybe)
@@ -40,7 +40,7 @@ data KerrRay = KerrRay
     -- | Where it escapes to, unless it is captured; seen from azimuth φ = 0.
     rayEscape :: Maybe XYZ,
     -- | How much an error of the direction of sight grows.
-    rayStretch :: Double,
+    raySegment :: Double,
     rayCrossings :: [KerrCrossing],
     -- | The shifts if the gas turned left-handed.
     rayLeftHanded :: [Double]
@@ -58,12 +58,12 @@ data KerrCrossing = KerrCrossing
 readKerrRays :: IO [KerrRay]
 readKerrRays = mapMaybe ray <$> kerrRows "kerr-rays.csv"
   where
-    ray (s : r : i : _ : psi : eta : fate : nu : lambda : q : mino : x : y : z : stretch : crossings : left : _) =
+    ray (s : r : i : _ : psi : eta : fate : nu : lambda : q : mino : x : y : z : segment : crossings : left : _) =
       Just $
         common AtRest (s, r, i, psi, eta) (nu, lambda, q) fate (x, y, z) $ \known ->
           known
             { rayMinoTime = readMaybe mino,
-              rayStretch = fromMaybe 1 (readMaybe stretch),
+              raySegment = fromMaybe 1 (readMaybe segment),
               rayCrossings =
                 [ KerrCrossing (number radius) (number azimuth) (number g)
                   | crossing <- splitOn ';' crossings,
@@ -96,7 +96,7 @@ common motion (s, r, i, psi, eta) (nu, lambda, q) fate (x, y, z) finish =
         rayConstants = (number nu, number lambda, number q),
         rayMinoTime = Nothing,
         rayEscape = if fate == "escaped" then Just (XYZ (number x) (number y) (number z)) else Nothing,
-        rayStretch = 1,
+        raySegment = 1,
         rayCrossings = [],
         rayLeftHanded = []
       }

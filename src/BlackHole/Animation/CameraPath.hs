@@ -9,13 +9,13 @@ module BlackHole.Animation.CameraPath
 where
 
 import BlackHole.Animation.Interpolate (Interpolation (..), easedFraction)
-import BlackHole.Physics.Angle
-import BlackHole.Physics.FreeFall
-import BlackHole.Physics.Kerr.WorldLine
-import BlackHole.Physics.Observer (Observer (..))
-import BlackHole.Physics.Spacetime (Spacetime (..))
+import BlackHole.Numeric.Angle
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Scene
+import BlackHole.Spacetime.Kerr.WorldLine
+import BlackHole.Spacetime.Observer (Observer (..))
+import BlackHole.Spacetime.Schwarzschild.FreeFall
+import BlackHole.Spacetime.Types (Spacetime (..))
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^), (^-^))
 import qualified BlackHole.Vector.XYZ as XYZ
 

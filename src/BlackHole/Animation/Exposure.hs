@@ -1,7 +1,7 @@
 -- | The light of a frame: of one moment, or the mean of several moments.
 module BlackHole.Animation.Exposure
-  ( exposeMoments,
-    exposeMomentRows,
+  ( exposeMotionBlur,
+    exposeMotionBlurRows,
   )
 where
 
@@ -11,7 +11,7 @@ import BlackHole.Render.PixelShape
 import BlackHole.Render.Workers (Workers)
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
-import BlackHole.Trace.SkyImage (SkyImage)
+import BlackHole.Trace.EnvironmentMap (EnvironmentMap)
 import Control.Monad (join)
 import Data.Foldable (foldlM)
 import Data.List.NonEmpty (NonEmpty (..))
@@ -23,13 +23,13 @@ import qualified Data.Vector.Storable as Vector
 -- two films for any number of moments. The first argument is the environment map, if
 -- the scenes have one, which must be the same for all. 'Nothing' if a scene is not
 -- valid or their pictures differ in size.
-exposeMoments :: Maybe SkyImage -> Workers -> (Double -> IO ()) -> NonEmpty Scene -> IO (Maybe Exposed)
-exposeMoments sky crew progress scenes@(first :| _) =
-  exposeMomentRows sky crew progress scenes (0, pictureHeight (scenePicture first))
+exposeMotionBlur :: Maybe EnvironmentMap -> Workers -> (Double -> IO ()) -> NonEmpty Scene -> IO (Maybe Exposed)
+exposeMotionBlur sky workers progress scenes@(first :| _) =
+  exposeMotionBlurRows sky workers progress scenes (0, pictureHeight (scenePicture first))
 
--- | 'exposeMoments' for a band of the picture: its first row and its number of rows.
-exposeMomentRows :: Maybe SkyImage -> Workers -> (Double -> IO ()) -> NonEmpty Scene -> (Int, Int) -> IO (Maybe Exposed)
-exposeMomentRows sky crew progress (first :| rest) (firstRow, rows) = do
+-- | 'exposeMotionBlur' for a band of the picture: its first row and its number of rows.
+exposeMotionBlurRows :: Maybe EnvironmentMap -> Workers -> (Double -> IO ()) -> NonEmpty Scene -> (Int, Int) -> IO (Maybe Exposed)
+exposeMotionBlurRows sky workers progress (first :| rest) (firstRow, rows) = do
   start <- expose 0 first
   total <- foldlM next start (zip [1 ..] rest)
   pure (total >>= divided)
@@ -38,7 +38,7 @@ exposeMomentRows sky crew progress (first :| rest) (firstRow, rows) = do
     expose :: Int -> Scene -> IO (Maybe Exposed)
     expose k scene
       | scenePicture scene /= scenePicture first = pure Nothing
-      | otherwise = (>>= counted scene) <$> exposeCounted sky crew (\done -> progress ((fromIntegral k + fromIntegral done / fromIntegral (max 1 rows)) / fromIntegral count)) scene (firstRow, rows)
+      | otherwise = (>>= counted scene) <$> exposeCounted sky workers (\done -> progress ((fromIntegral k + fromIntegral done / fromIntegral (max 1 rows)) / fromIntegral count)) scene (firstRow, rows)
     next before (k, scene) = do
       seen <- expose k scene
       pure $! join (together <$> before <*> seen)

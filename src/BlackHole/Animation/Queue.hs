@@ -8,9 +8,9 @@ module BlackHole.Animation.Queue
   )
 where
 
-import BlackHole.Animation.Claim
 import BlackHole.Animation.Digest
-import BlackHole.Animation.Ledger
+import BlackHole.Animation.FrameStore
+import BlackHole.Animation.Lease
 import Control.Concurrent (threadDelay)
 import Control.Exception (SomeAsyncException, SomeException, displayException, evaluate, finally, fromException, throwIO, try)
 import qualified Data.ByteString.Lazy as Lazy
@@ -52,17 +52,17 @@ data Patience
 -- to that process. The outcomes are returned in the order of the jobs.
 --
 -- A frame that fails, by a message of the renderer or an exception, does not stop the
--- others. Asynchronous exceptions (an interrupt) end all work and release the claim on
+-- others. Asynchronous exceptions (an interrupt) end all work and release the lease on
 -- the current frame.
 workThrough ::
-  Ledger ->
+  FrameStore ->
   Patience ->
   (Job -> Condition -> IO ()) ->
   (Job -> Outcome -> IO ()) ->
   (Job -> IO (Either String Lazy.ByteString)) ->
   [Job] ->
   IO [(Job, Outcome)]
-workThrough ledger patience begun ended render jobs = do
+workThrough store patience begun ended render jobs = do
   first <- mapM (\job -> (,) job <$> settle job) jobs
   if patience == WaitForOthers then mapM revisit first else pure first
   where
@@ -84,20 +84,20 @@ workThrough ledger patience begun ended render jobs = do
         _ -> pure outcome
     attempt job = caught (make job)
     make job = do
-      before <- frameCondition ledger (jobFrame job) (jobScene job)
+      before <- frameCondition store (jobFrame job) (jobScene job)
       case before of
-        Finished _ -> WasDone <$ sweepFrame ledger (jobFrame job)
+        Finished _ -> WasDone <$ sweepFrame store (jobFrame job)
         _ -> do
-          claimed <- takeClaim claims (name job)
-          case claimed of
+          leased <- takeLease leases (name job)
+          case leased of
             HeldBy holder -> pure (Elsewhere holder)
-            Claimed former ->
-              keepingAlive claims (name job) (underClaim job former)
-                `finally` releaseClaim claims (name job)
-    -- Another process may have finished the frame between the check and the claim.
-    underClaim job former = do
-      for_ former (removeLeftOver ledger (jobFrame job))
-      condition <- frameCondition ledger (jobFrame job) (jobScene job)
+            Leased former ->
+              keepingAlive leases (name job) (underLease job former)
+                `finally` releaseLease leases (name job)
+    -- Another process may have finished the frame between the check and the lease.
+    underLease job former = do
+      for_ former (removeLeftOver store (jobFrame job))
+      condition <- frameCondition store (jobFrame job) (jobScene job)
       case condition of
         Finished _ -> pure WasDone
         _ -> do
@@ -110,10 +110,10 @@ workThrough ledger patience begun ended render jobs = do
               -- Evaluating the lazy bytes is part of the work.
               _ <- evaluate (Lazy.length bytes)
               seconds <- subtract start <$> getMonotonicTime
-              storeFrame ledger (jobFrame job) (jobScene job) seconds bytes
+              storeFrame store (jobFrame job) (jobScene job) seconds bytes
               Rendered . subtract start <$> getMonotonicTime
-    claims = ledgerClaims ledger
-    name = frameLabel ledger . jobFrame
+    leases = frameStoreLeases store
+    name = frameLabel store . jobFrame
     caught action = do
       result <- try action
       case result of

@@ -10,20 +10,20 @@ module BlackHole.Animation.Shoot
   )
 where
 
-import BlackHole.Animation.Claim (currentHolder)
+import BlackHole.Animation.Animation
 import BlackHole.Animation.Digest
 import BlackHole.Animation.Exposure
-import BlackHole.Animation.Feed
-import BlackHole.Animation.Film
 import BlackHole.Animation.FrameName
-import BlackHole.Animation.Ledger
+import BlackHole.Animation.FrameStore
+import BlackHole.Animation.Lease (currentHolder)
 import BlackHole.Animation.Progress
 import BlackHole.Animation.Queue
 import BlackHole.Animation.Video (VideoCoding)
+import BlackHole.Animation.VideoFeed
 import qualified BlackHole.Render.Film as Light
 import BlackHole.Render.Workers (Workers)
 import BlackHole.Scene.Scene
-import BlackHole.Trace.SkyImage (SkyImage)
+import BlackHole.Trace.EnvironmentMap (EnvironmentMap)
 import Control.Concurrent.Async (wait, withAsync)
 import Control.Concurrent.MVar (modifyMVar_, newMVar, readMVar)
 import Control.Exception (onException)
@@ -42,13 +42,13 @@ data Shooting = Shooting
     -- | Numbers of this run's frames, in the order in which they are made.
     shootingFrames :: ![Int],
     shootingName :: !FrameName,
-    -- | Seconds after which claims from other machines count as abandoned.
+    -- | Seconds after which leases from other machines count as abandoned.
     shootingPatience :: !Double,
     shootingWorkers :: !Workers,
     -- | The film file with the program that codes it.
     shootingVideo :: !(Maybe (FilePath, VideoCoding, FilePath)),
     -- | The picture of the sky if that of the film is a panorama.
-    shootingSky :: !(Maybe SkyImage),
+    shootingSky :: !(Maybe EnvironmentMap),
     -- | A text that is equal for equal scenes and skies, and says which program this is.
     shootingText :: !(Scene -> String),
     -- | The file of a frame, from its scenes and their mean light; 'Nothing' if
@@ -82,31 +82,31 @@ momentsText text = concatMap text . NonEmpty.toList
 
 -- | Do it. The listener hears often of progress, from one thread at a time.
 -- Frames whose scenes are not valid fail; the caller may find them beforehand
--- ('frameScenes'). Exceptions: what the file system says of the ledger, and what
+-- ('frameScenes'). Exceptions: what the file system says of the frame store, and what
 -- comes from outside; a film file begun is then removed.
 shoot :: Shooting -> (Told -> IO ()) -> IO Shot
 shoot shooting listen = do
   holder <- currentHolder
-  ledger <- openLedger (shootingName shooting) holder (shootingPatience shooting)
+  store <- openFrameStore (shootingName shooting) holder (shootingPatience shooting)
   -- For a film of hours the list takes minutes, which need not come first.
-  withAsync (writeFrameList ledger [(n, digest) | n <- [0 .. filmFrames film - 1], Right digest <- [digestOf n]]) $ \listing -> do
-    shot <- shootFrames ledger
+  withAsync (writeFrameList store [(n, digest) | n <- [0 .. filmFrames film - 1], Right digest <- [digestOf n]]) $ \listing -> do
+    shot <- shootFrames store
     shot <$ wait listing
   where
     film = shootingFilm shooting
     frames = shootingFrames shooting
     patience = maybe LeaveOthers (const WaitForOthers) (shootingVideo shooting)
     digestOf n = frameDigest (shootingText shooting) <$> frameScenes film n
-    shootFrames ledger = do
+    shootFrames store = do
       state <- newMVar (startTally (length frames))
       clock <- newIORef Nothing
-      feed <- traverse (\(coder, kind, target) -> startFeed coder kind (filmRate film) target (shootingName shooting) frames) (shootingVideo shooting)
-      forM_ (feed >>= feedFault) (listen . Remark . ("the film file cannot be made: " ++))
+      feed <- traverse (\(coder, kind, target) -> startVideoFeed coder kind (filmRate film) target (shootingName shooting) frames) (shootingVideo shooting)
+      forM_ (feed >>= videoFeedFault) (listen . Remark . ("the film file cannot be made: " ++))
       let run =
-            workThrough ledger patience (begun state clock) (ended state clock feed) (render state clock) $
+            workThrough store patience (begun state clock) (ended state clock feed) (render state clock) $
               [Job n (fromRight (digestText "") (digestOf n)) | n <- frames]
-      outcomes <- run `onException` mapM_ abandonFeed feed
-      fault <- join <$> traverse finishFeed feed
+      outcomes <- run `onException` mapM_ abandonVideoFeed feed
+      fault <- join <$> traverse finishVideoFeed feed
       tally <- readMVar state
       pure (Shot tally [(jobFrame job, outcome) | (job, outcome) <- outcomes] fault)
     begun state clock job condition = do
@@ -134,7 +134,7 @@ shoot shooting listen = do
     render state clock job = case frameScenes film (jobFrame job) of
       Left problems -> pure (Left (unwords (map show problems)))
       Right scenes -> do
-        exposed <- exposeMoments (shootingSky shooting) (shootingWorkers shooting) (\part -> update state clock (Just (jobFrame job)) (\tally -> tally {tallyPart = part})) scenes
+        exposed <- exposeMotionBlur (shootingSky shooting) (shootingWorkers shooting) (\part -> update state clock (Just (jobFrame job)) (\tally -> tally {tallyPart = part})) scenes
         case exposed of
           Nothing -> pure (Left "its scenes cannot be traced together")
           Just light -> do

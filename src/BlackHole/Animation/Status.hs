@@ -7,9 +7,9 @@ module BlackHole.Animation.Status
   )
 where
 
-import BlackHole.Animation.Claim
 import BlackHole.Animation.FrameName
-import BlackHole.Animation.Ledger
+import BlackHole.Animation.FrameStore
+import BlackHole.Animation.Lease
 import BlackHole.Animation.Progress (frameRanges)
 
 -- | The frames of one film, each in exactly one of the lists.
@@ -25,7 +25,7 @@ data FilmStatus = FilmStatus
   }
 
 -- | The status of all films in a folder, from the lists that their runs left. Reads
--- every finished frame once. Claims of other machines count as abandoned after this
+-- every finished frame once. Leases of other machines count as abandoned after this
 -- many seconds without a touch.
 filmStatuses :: FilePath -> Double -> IO [FilmStatus]
 filmStatuses folder patience = do
@@ -34,8 +34,8 @@ filmStatuses folder patience = do
   mapM (status holder) lists
   where
     status holder (name, frames) = do
-      ledger <- openLedger name holder patience
-      found <- mapM (look ledger) frames
+      store <- openFrameStore name holder patience
+      found <- mapM (look store) frames
       pure
         FilmStatus
           { statusName = name,
@@ -45,12 +45,12 @@ filmStatuses folder patience = do
             statusStale = [n | (n, Lacking Stale) <- found],
             statusDamaged = [n | (n, Lacking Damaged) <- found]
           }
-    look ledger (n, digest) = do
-      condition <- frameCondition ledger n digest
+    look store (n, digest) = do
+      condition <- frameCondition store n digest
       case condition of
         Finished _ -> pure (n, Done)
         _ -> do
-          alive <- liveHolder (ledgerClaims ledger) (frameLabel ledger n)
+          alive <- liveHolder (frameStoreLeases store) (frameLabel store n)
           pure (n, maybe (Lacking condition) Running alive)
 
 data Look

@@ -12,17 +12,17 @@ module BlackHole.Cli.Animate
   )
 where
 
+import BlackHole.Animation.Animation
 import BlackHole.Animation.CameraPath (CameraPath (Orbit))
-import BlackHole.Animation.Film
 import BlackHole.Animation.FrameName
 import BlackHole.Animation.Interpolate (Interpolation (Linear))
 import BlackHole.Animation.Shoot
 import BlackHole.Animation.Status
 import BlackHole.Animation.Video
 import BlackHole.Cli.AnimateReport
+import BlackHole.Cli.AnimationScene (frameFaults, maximumFaults)
 import BlackHole.Cli.Check
 import BlackHole.Cli.CodingOptions (codingOptions)
-import BlackHole.Cli.FilmScene (frameFaults, maximumFaults)
 import BlackHole.Cli.Progress (ProgressMode (..))
 import BlackHole.Cli.Read
 import BlackHole.Cli.RunOptions
@@ -33,7 +33,7 @@ import BlackHole.Render.Shard
 import BlackHole.Render.Workers
 import BlackHole.Scene.Scene (Scene)
 import BlackHole.Scene.Validate
-import BlackHole.Trace.SkyImage (SkyImage)
+import BlackHole.Trace.EnvironmentMap (EnvironmentMap)
 import BlackHole.Vector.XYZ (XYZ (..))
 import Control.Exception (IOException, try)
 import Control.Monad (unless, when)
@@ -168,7 +168,7 @@ data Ending
 runFilm ::
   AnimateOptions scene ->
   (String -> IO ()) ->
-  Maybe SkyImage ->
+  Maybe EnvironmentMap ->
   (Scene -> String) ->
   (Workers -> NonEmpty Scene -> Light.Exposed -> IO (Maybe Lazy.ByteString)) ->
   Film ->
@@ -180,11 +180,11 @@ runFilm options say sky text develop film = do
   case plan options environment coder film of
     Left (ending, problems) -> (ending, Nothing) <$ mapM_ say problems
     Right (name, frames, video) -> do
-      crew <- maybe defaultWorkers pure (workers =<< animateThreads options)
+      workers <- maybe defaultWorkers pure (workersFromCount =<< animateThreads options)
       teller <- newTeller say mode
       shot <-
-        try . withWorkers crew $
-          shoot (Shooting film frames name (animatePatience options) crew video sky text (develop crew)) teller
+        try . withWorkers workers $
+          shoot (Shooting film frames name (animatePatience options) workers video sky text (develop workers)) teller
       clearLine mode
       case shot of
         Left refusal -> (CannotStart, Nothing) <$ say ("--output: the frames cannot be written: " ++ show (refusal :: IOException))
@@ -192,7 +192,7 @@ runFilm options say sky text develop film = do
           -- In JSON, the last progress report is the summary.
           unless (reportQuiet reported || mode == JsonProgress) $ say (summaryLine done)
           mapM_ say (faultLines done)
-          pure (if isWhole done then Complete else Incomplete, Just (crew, done))
+          pure (if isWhole done then Complete else Incomplete, Just (workers, done))
   where
     reported = animateReporting options
     mode = progressMode reported

@@ -9,7 +9,7 @@ module BlackHole.Cli.AnimateReport
   )
 where
 
-import BlackHole.Animation.Claim (holderName)
+import BlackHole.Animation.Lease (holderName)
 import BlackHole.Animation.Progress
 import BlackHole.Animation.Queue (Outcome (..))
 import BlackHole.Animation.Shoot
@@ -107,7 +107,7 @@ isWhole shot = null [() | (_, Failed _) <- shotOutcomes shot] && null (shotVideo
 -- | The statistics of a run for @--stats@, given the program's version and the peak of
 -- its memory in bytes.
 filmStats :: String -> Maybe Integer -> Workers -> Shot -> Json
-filmStats version memory crew shot =
+filmStats version memory workers shot =
   Object
     [ ("version", Text version),
       ("frames", Whole (tallyFrames tally)),
@@ -115,7 +115,7 @@ filmStats version memory crew shot =
       ("already_done", Whole (tallyFound tally)),
       ("failed", Whole (tallyFailed tally)),
       ("elsewhere", Whole (tallyElsewhere tally)),
-      ("workers", Whole (workersCount crew)),
+      ("workers", Whole (workersCount workers)),
       ("seconds", Number (tallySeconds tally)),
       ("frames_per_second", maybe Null Number (framesPerSecond tally)),
       ("peak_memory_bytes", maybe Null (Whole . fromInteger) memory)

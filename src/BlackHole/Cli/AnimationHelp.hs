@@ -6,7 +6,7 @@ module BlackHole.Cli.AnimationHelp
   )
 where
 
-import BlackHole.Animation.FilmFile
+import BlackHole.Animation.AnimationFile
 import Data.List (intercalate)
 
 -- | A part of a longer text.

@@ -7,7 +7,7 @@ module BlackHole.Cli.Check
 where
 
 import BlackHole.Cli.Json (showDouble)
-import BlackHole.Render.Workers (maximumWorkers, workers)
+import BlackHole.Render.Workers (maximumWorkers, workersFromCount)
 import BlackHole.Scene.Validate (Problem (..))
 
 -- | @checkNumber option good range value@: a problem unless the value is a finite number
@@ -28,5 +28,5 @@ checkThreads :: Maybe Int -> [Problem]
 checkThreads threads =
   [ Problem "--threads" (show n) ("a whole number from 1 to " ++ show maximumWorkers)
     | Just n <- [threads],
-      Nothing <- [workers n]
+      Nothing <- [workersFromCount n]
   ]

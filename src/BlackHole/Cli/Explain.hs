@@ -7,16 +7,16 @@ where
 
 import BlackHole.Light.Display (Exposure (..), toneMapName)
 import BlackHole.Light.Radiance (Radiance (..), scaleRadiance)
-import BlackHole.Physics.Angle
-import BlackHole.Physics.Fate (Fate (..), fateName)
-import BlackHole.Physics.Observer (observerName)
-import BlackHole.Physics.Radii (criticalImpactParameter)
-import BlackHole.Physics.Redshift (RedshiftParts (..))
-import BlackHole.Physics.Spacetime (Spacetime (..))
+import BlackHole.Matter.Redshift (RedshiftParts (..))
+import BlackHole.Numeric.Angle
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Shifts
 import BlackHole.Scene.Validate (Problem (..))
+import BlackHole.Spacetime.Fate (Fate (..), fateName)
+import BlackHole.Spacetime.Observer (observerName)
+import BlackHole.Spacetime.Schwarzschild.Radii (criticalImpactParameter)
+import BlackHole.Spacetime.Types (Spacetime (..))
 import BlackHole.Trace.Explain
 import BlackHole.Trace.PlaneCrossing
 import BlackHole.Vector.XY (XY (..))

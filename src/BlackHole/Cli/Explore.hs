@@ -91,8 +91,8 @@ explore software options = case serve of
         (Left problems, _) -> WrongScene <$ mapM_ say problems
         (_, Left problem) -> WrongScene <$ say problem
         (Right scene, _) -> do
-          crew <- maybe defaultWorkers pure (workers =<< exploreThreads options)
-          withWorkers crew (serving server (Studio crew software skyOf room) scene)
+          workers <- maybe defaultWorkers pure (workersFromCount =<< exploreThreads options)
+          withWorkers workers (serving server (Studio workers software skyOf room) scene)
   where
     portProblems = [Problem "--port" (show n) "a port from 1 to 65535" | Just n <- [explorePort options], n < 1 || n > 65535]
     skyOf = fmap (fmap (fmap skyFileImage)) . loadSky

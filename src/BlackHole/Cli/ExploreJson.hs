@@ -13,8 +13,8 @@ import BlackHole.Explore.Reply
 import BlackHole.Explore.Slider
 import BlackHole.Explore.Timeline (interpolations)
 import BlackHole.Image.Coding (formatExtensions)
-import BlackHole.Physics.Kerr.Landmarks (horizonRadius)
-import BlackHole.Physics.Spacetime (Spacetime (..))
+import BlackHole.Spacetime.Kerr.Landmarks (horizonRadius)
+import BlackHole.Spacetime.Types (Spacetime (..))
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Disk
 import BlackHole.Scene.Field.Condition

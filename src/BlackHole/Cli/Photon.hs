@@ -20,17 +20,17 @@ where
 import BlackHole.Cli.Check
 import BlackHole.Cli.Json
 import BlackHole.Cli.Read
-import BlackHole.Physics.Angle
-import BlackHole.Physics.Course
-import BlackHole.Physics.Kerr.Landmarks (Spin, ergosphereRadius, spin)
-import BlackHole.Physics.Kerr.Path (KerrFate (Escapes))
-import qualified BlackHole.Physics.Kerr.Path as Kerr
-import BlackHole.Physics.Kerr.PathReport
-import BlackHole.Physics.Kerr.Sight
-import BlackHole.Physics.Leapfrog (StepRule (..), reportStepRule)
-import BlackHole.Physics.PathReport
+import BlackHole.Numeric.Angle
 import BlackHole.Scene.Scene (Integrator (..), integratorName)
 import BlackHole.Scene.Validate (Problem (..))
+import BlackHole.Spacetime.Kerr.Landmarks (Spin, ergosphereRadius, spin)
+import BlackHole.Spacetime.Kerr.Path (KerrFate (Escapes))
+import qualified BlackHole.Spacetime.Kerr.Path as Kerr
+import BlackHole.Spacetime.Kerr.PathReport
+import BlackHole.Spacetime.Kerr.Sight
+import BlackHole.Spacetime.PathReport
+import BlackHole.Spacetime.Schwarzschild.Leapfrog (StepRule (..), reportStepRule)
+import BlackHole.Spacetime.Schwarzschild.Trajectory
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ
 import qualified Data.ByteString.Builder as Builder
@@ -81,7 +81,7 @@ standardEta = 0
 
 -- | A light path, and how to follow it.
 data PhotonTask
-  = PhotonTask !Course !Method
+  = PhotonTask !Trajectory !Method
   | -- | Around a rotating hole.
     RotatingTask !Spin !LightRay
 
@@ -90,7 +90,7 @@ data Method
   = ClosedForm
   | Leapfrog !StepRule
   | -- | The same path from the renderer's table.
-    FromTable !Course
+    FromTable !Trajectory
 
 -- | The path that the options describe, or all their mistakes (at least one).
 resolvePhoton :: PhotonOptions -> Either [Problem] PhotonTask
@@ -132,21 +132,21 @@ resolveRotating options s = case (problems, ray) of
 
 -- | The path around a hole that does not rotate.
 resolvePlanar :: PhotonOptions -> Either [Problem] PhotonTask
-resolvePlanar options = case (problems, course, method) of
+resolvePlanar options = case (problems, trajectory, method) of
   ([], Just path, Just way) -> Right (PhotonTask path way)
   _ -> Left problems
   where
     problems = startProblems ++ sightProblems ++ methodProblems ++ pathNameProblems options
-    (startProblems, course) = case (photonImpact options, photonPsi options) of
+    (startProblems, trajectory) = case (photonImpact options, photonPsi options) of
       (Just b, Nothing)
         | Nothing <- photonDistance options ->
-          (checkNumber "--impact" (\v -> v >= 0 && v <= 1e6) "a length from 0 to 1e6 (Schwarzschild radii)" b, Just (courseFromInfinity sight b))
+          (checkNumber "--impact" (\v -> v >= 0 && v <= 1e6) "a length from 0 to 1e6 (Schwarzschild radii)" b, Just (trajectoryFromInfinity sight b))
       (Just _, _) -> ([Mistake "--impact" "cannot be combined with --psi or --distance"], Nothing)
       (Nothing, Nothing) -> ([Mistake "--psi" "missing; give --psi DEGREES for a line of sight, or --impact B for light from infinity"], Nothing)
       (Nothing, Just angle) ->
         ( checkNumber "--distance" (\r -> r > 1 && r <= 1e6) "a distance above 1 and up to 1e6 (Schwarzschild radii)" distance
             ++ checkNumber "--psi" (\a -> a >= 0 && a <= 180) "an angle from 0 to 180 (degrees from the direction of the hole's centre)" angle,
-          courseFromCamera sight distance (toRadians (Degrees angle))
+          trajectoryFromCamera sight distance (toRadians (Degrees angle))
         )
     distance = fromMaybe standardDistance (photonDistance options)
     inclination = fromMaybe standardInclination (photonInclination options)
@@ -161,7 +161,7 @@ resolvePlanar options = case (problems, course, method) of
       (Leapfrogging, Nothing) -> ([], Just (Leapfrog reportStepRule))
       (Exact, Nothing) -> ([], Just ClosedForm)
       (Tabulated, Nothing) -> case photonPsi options of
-        Just angle -> ([], FromTable <$> courseFromTable sight distance (toRadians (Degrees angle)))
+        Just angle -> ([], FromTable <$> trajectoryFromTable sight distance (toRadians (Degrees angle)))
         Nothing -> ([Mistake "--integrator" "table applies only with --psi; it holds the paths that start at the camera's distance"], Nothing)
     -- The thickness of the disk in the step rule of the design report.
     reportWidth = case reportStepRule of
@@ -185,13 +185,13 @@ data PhotonOutcome
 -- camera, or to four times the impact parameter, whichever is farthest.
 photonOutcome :: PhotonTask -> PhotonOutcome
 photonOutcome (RotatingTask hole ray) = RotatingOutcome (kerrReport hole 100 ray)
-photonOutcome (PhotonTask course method) = case method of
+photonOutcome (PhotonTask trajectory method) = case method of
   ClosedForm -> ExactOutcome exact
-  Leapfrog rule -> ComparedOutcome "leapfrog" (leapfrogReport rule drawn course) exact
+  Leapfrog rule -> ComparedOutcome "leapfrog" (leapfrogReport rule drawn trajectory) exact
   FromTable tabulated -> ComparedOutcome "table" (exactReport drawn tabulated) exact
   where
-    exact = exactReport drawn course
-    drawn = max 100 (4 * courseImpactParameter course)
+    exact = exactReport drawn trajectory
+    drawn = max 100 (4 * trajectoryImpactParameter trajectory)
 
 -- | The outcome as JSON or, with 'False', as a table with units.
 outcomeText :: Bool -> PhotonOutcome -> String

@@ -8,17 +8,17 @@ module BlackHole.Cli.Run
   )
 where
 
+import BlackHole.Animation.Animation (filmScene, filmShutter, shutterOpen, stillFilm)
 import BlackHole.Animation.Exposure
-import BlackHole.Animation.Film (filmScene, filmShutter, shutterOpen, stillFilm)
 import BlackHole.Animation.FrameName (frameFile, frameNumber, parseFrameName)
 import BlackHole.Cli.Animate
 import BlackHole.Cli.AnimateReport (filmStats)
+import BlackHole.Cli.AnimationScene (loadFilm)
 import BlackHole.Cli.Check (checkThreads)
 import BlackHole.Cli.Console
 import BlackHole.Cli.Explain (explanationLines, pixelProblems)
 import BlackHole.Cli.Explore (explore)
 import qualified BlackHole.Cli.Explore as Explore (Ending (..))
-import BlackHole.Cli.FilmScene (loadFilm)
 import BlackHole.Cli.Help (CommandHelp (commandName))
 import BlackHole.Cli.Join
 import BlackHole.Cli.Json
@@ -39,9 +39,9 @@ import BlackHole.Cli.Stats
 import BlackHole.Image.AtomicFile
 import BlackHole.Image.Coding
 import BlackHole.Image.File (fileLabel)
-import BlackHole.Image.Finish
-import BlackHole.Image.Label
+import BlackHole.Image.Metadata
 import BlackHole.Image.TileFile
+import BlackHole.Image.Write
 import BlackHole.Render.Bloom
 import BlackHole.Render.Film
 import BlackHole.Render.PixelArray (backendName, fromPixelVector, pixelArrayShape, toPixelVector)
@@ -56,10 +56,10 @@ import BlackHole.Scene.Scene
 import BlackHole.Scene.Setting (Setting (settingPath))
 import BlackHole.Scene.Validate
 import BlackHole.SelfTest.Check (Check, checkHolds)
+import BlackHole.Trace.EnvironmentMap (EnvironmentMap)
 import BlackHole.Trace.Explain (explainPixel)
-import BlackHole.Trace.Pixel (tracerUnder)
+import BlackHole.Trace.Pixel (tracerWithSky)
 import BlackHole.Trace.Sky (neededPicture)
-import BlackHole.Trace.SkyImage (SkyImage)
 import Control.Applicative ((<|>))
 import Control.Exception (IOException, SomeAsyncException (..), SomeException, catch, displayException, fromException, throwIO, try)
 import Control.Monad (forM_, unless, when)
@@ -247,22 +247,22 @@ render options
         | Just pixel <- renderPixel options -> case pixelProblems (scenePicture scene) pixel of
           [] -> underSky scene (explain scene pixel . fmap skyFileImage)
           problems -> complainAll BadInput problems
-        | renderPreview options -> underSky scene (\sky -> withCrew (preview (skyFileImage <$> sky) scene))
+        | renderPreview options -> underSky scene (\sky -> onAll (preview (skyFileImage <$> sky) scene))
         | Just _ <- renderTile options,
           not (null others) ->
           complain BadInput "--tile: a picture with motion blur cannot be rendered in tiles"
         | Just part <- renderTile options -> case tileProblems part (scenePicture scene) of
-          [] -> ready (Making Tile False False) scene (snd (shardRows part (pictureHeight (scenePicture scene)))) (\sky crew -> tileTo sky crew part scene)
+          [] -> ready (Making Tile False False) scene (snd (shardRows part (pictureHeight (scenePicture scene)))) (\sky workers -> tileTo sky workers part scene)
           problems -> complainAll UsageError problems
         | otherwise -> case outputFormat output of
           Just format -> case codingProblem format coding of
-            [] -> ready (Making (WholePicture format) (not (null others)) (runKeepPartial how)) scene (pictureHeight (scenePicture scene)) (\sky crew -> renderTo sky crew format coding scenes')
+            [] -> ready (Making (WholePicture format) (not (null others)) (runKeepPartial how)) scene (pictureHeight (scenePicture scene)) (\sky workers -> renderTo sky workers format coding scenes')
             problems -> complainAll UsageError problems
           Nothing -> complainAll UsageError [unknownExtension]
   where
     output = renderTarget options
     reported = runReporting how
-    withCrew = inCrew (renderThreads options)
+    onAll = inWorkers (renderThreads options)
     ready making scene rows action = do
       clashes <- overwritten (sceneInputs (renderScene options) scene ++ [("--from", from) | Just from <- [renderFrom options]]) (("--output", output) : [("--stats", file) | Just file <- [reportStats reported]])
       lacking <- memoryProblem making scene rows
@@ -273,7 +273,7 @@ render options
         (Just line, _, _) -> complain BadInput line
         (_, Just line, _) -> complain CannotWrite ("--output: " ++ line)
         (_, _, Left problem) -> complain CannotWrite ("--stats: " ++ renderWriteProblem problem)
-        _ -> underSky scene (withCrew . action)
+        _ -> underSky scene (onAll . action)
     how = renderRun options
     unknownExtension = unknownExtensionOf output
     usageProblems =
@@ -284,25 +284,25 @@ render options
              | Just _ <- [renderFrom options],
                Just _ <- [sceneFile (renderScene options)]
            ]
-    renderTo sky crew format coding scenes'@(scene :| _) = do
+    renderTo sky workers format coding scenes'@(scene :| _) = do
       let rows = pictureHeight (scenePicture scene)
-      exposing how (skyFileImage <$> sky) crew scenes' (0, rows) output $ \exposed done seconds ->
-        finishing (skyFileImage <$> sky) crew scene (0, done) (exposedLight exposed) seconds $
-          maybe (complain CannotWrite (noRoom output)) (storeBy output) (finishBands crew programName format coding scenes' (pure . filmRows (exposedLight exposed)) (pure . countsRow scene exposed))
-    tileTo sky crew part scene = do
+      exposing how (skyFileImage <$> sky) workers scenes' (0, rows) output $ \exposed done seconds ->
+        finishing (skyFileImage <$> sky) workers scene (0, done) (exposedLight exposed) seconds $
+          maybe (complain CannotWrite (noRoom output)) (storeBy output) (finishBands workers programName format coding scenes' (pure . filmRows (exposedLight exposed)) (pure . countsRow scene exposed))
+    tileTo sky workers part scene = do
       let band = shardRows part (pictureHeight (scenePicture scene))
-      exposing how {runKeepPartial = False} (skyFileImage <$> sky) crew (scene :| []) band output $ \exposed _ seconds ->
-        finishing (skyFileImage <$> sky) crew scene band (exposedLight exposed) seconds $
+      exposing how {runKeepPartial = False} (skyFileImage <$> sky) workers (scene :| []) band output $ \exposed _ seconds ->
+        finishing (skyFileImage <$> sky) workers scene band (exposedLight exposed) seconds $
           maybe (complain CannotWrite "the tile cannot be encoded") (store output) (encodeTile (tileHeader (programName : skyLines sky) part scene) (exposedCounts exposed) (exposedLight exposed))
-    finishing picture crew scene band film traced write = do
+    finishing picture workers scene band film traced write = do
       start <- subtract traced <$> getMonotonicTime
-      faults <- warnOfFaults crew (fst band) film
+      faults <- warnOfFaults workers (fst band) film
       if runStrict how && fst faults > 0
         then complain InternalFault "--strict: no file is written because of these pixels"
         else do
           (status, writing) <- timed write
           memory <- peakMemory
-          let stats = Stats versionLine scene picture crew band traced writing memory faults
+          let stats = Stats versionLine scene picture workers band traced writing memory faults
           if status == Done
             then do
               pictureSucceeded reported start output (pictureWidth (scenePicture scene), snd band)
@@ -319,14 +319,14 @@ storeStats reported text = case reportStats reported of
 -- number of finished rows and the seconds it took. With @--keep-partial@, trace bands one
 -- after the other; after a signal, continue with a film of the finished bands that is
 -- black below them.
-exposing :: RunOptions -> Maybe SkyImage -> Workers -> NonEmpty Scene -> (Int, Int) -> FilePath -> (Exposed -> Int -> Double -> IO ExitStatus) -> IO ExitStatus
-exposing how sky crew scenes'@(scene :| others) (first, rows) output finish
+exposing :: RunOptions -> Maybe EnvironmentMap -> Workers -> NonEmpty Scene -> (Int, Int) -> FilePath -> (Exposed -> Int -> Double -> IO ExitStatus) -> IO ExitStatus
+exposing how sky workers scenes'@(scene :| others) (first, rows) output finish
   | runKeepPartial how = do
     kept <- newIORef []
     start <- getMonotonicTime
     let bands = [(from, min bandRows (rows - from)) | from <- [0, bandRows .. rows - 1]]
     outcome <- try . timed . tracking $ \report -> forM_ bands $ \(from, count) -> do
-      band <- exposeMomentRows sky crew (report . (from +) . rowsOf count) scenes' (first + from, count)
+      band <- exposeMotionBlurRows sky workers (report . (from +) . rowsOf count) scenes' (first + from, count)
       modifyIORef' kept (maybe id (:) band)
     done <- reverse <$> readIORef kept
     let light = map exposedLight done
@@ -348,14 +348,14 @@ exposing how sky crew scenes'@(scene :| others) (first, rows) output finish
           throwIO (stop :: Stopped)
         | otherwise -> throwIO stop
   | otherwise = do
-    (exposed, seconds) <- timed (tracking (\report -> exposeMomentRows sky crew (report . rowsOf rows) scenes' (first, rows)))
+    (exposed, seconds) <- timed (tracking (\report -> exposeMotionBlurRows sky workers (report . rowsOf rows) scenes' (first, rows)))
     maybe untraceable (\light -> finish light rows seconds) exposed
   where
     width = pictureWidth (scenePicture scene)
     tracking = withProgress (progressMode (runReporting how)) rows (width * sceneSamples scene * (1 + length others))
     rowsOf count part = floor (part * fromIntegral count + 1e-6 :: Double)
     -- Enough to keep all workers busy, and at most some thirty bands.
-    bandRows = max (4 * workersCount crew) ((rows + 31) `quot` 32)
+    bandRows = max (4 * workersCount workers) ((rows + 31) `quot` 32)
 
 -- | An action's result and the seconds it took.
 timed :: IO a -> IO (a, Double)
@@ -382,10 +382,10 @@ outputFault "-" = do
 outputFault name = either (Just . renderWriteProblem) (const Nothing) <$> checkWritable name
 
 -- | Run an action with the given number of workers, or one per core.
-inCrew :: Maybe Int -> (Workers -> IO a) -> IO a
-inCrew threads action = do
-  crew <- maybe defaultWorkers pure (workers =<< threads)
-  withWorkers crew (action crew)
+inWorkers :: Maybe Int -> (Workers -> IO a) -> IO a
+inWorkers threads action = do
+  workers <- maybe defaultWorkers pure (workersFromCount =<< threads)
+  withWorkers workers (action workers)
 
 -- | Write a file or, for @-@, to standard output.
 store :: FilePath -> Lazy.ByteString -> IO ExitStatus
@@ -419,18 +419,18 @@ join options = case (formatOf output, joinCoding options) of
       joined <- openTiles (joinTiles options)
       case joined of
         Left problems -> BadInput <$ mapM_ (complain BadInput) problems
-        Right (scene, tiles) -> writing format scene tiles . inCrew (joinThreads options) $ \crew -> do
+        Right (scene, tiles) -> writing format scene tiles . inWorkers (joinThreads options) $ \workers -> do
           let Picture width height = scenePicture scene
           status <- withProgress (progressMode reported) height (width * sceneSamples scene) $ \report ->
             let rowsOf (first, count) = report first >> readPictureRows tiles (first, count)
              in maybe (complain CannotWrite (noRoom output)) (storeBy output) $
-                  finishBands crew programName format coding (scene :| []) rowsOf (countsOf scene tiles)
+                  finishBands workers programName format coding (scene :| []) rowsOf (countsOf scene tiles)
           if status == Done
             then do
               pictureSucceeded reported start output (width, height)
               end <- getMonotonicTime
               memory <- peakMemory
-              storeStats reported (joinStatsText versionLine scene (length tiles) crew (end - start) memory)
+              storeStats reported (joinStatsText versionLine scene (length tiles) workers (end - start) memory)
             else pure status
   where
     output = joinOutput options
@@ -486,11 +486,11 @@ animate options = case (animateStatus options, formatOf pattern') of
           ([("--video", file) | Just file <- [animateVideo options]] ++ [("--stats", file) | Just file <- [reportStats reported]] ++ [("--output", folder </> file) | file <- names, Just _ <- [frameNumber name file]])
     coding = animateCoding options
     describe sky = printScene ((programName ++ ", " ++ show coding) : skyLines sky)
-    develop format crew = finishFilm crew programName format coding
+    develop format workers = finishFilm workers programName format coding
     shootFilm format film = underSky (filmScene film) $ \sky -> do
       (ending, shot) <- runFilm options say (skyFileImage <$> sky) (describe sky) (develop format) (adjustFilm options film)
       memory <- peakMemory
-      written <- maybe (pure Done) (\(crew, done) -> storeStats reported (renderedJson (filmStats versionLine memory crew done))) shot
+      written <- maybe (pure Done) (\(workers, done) -> storeStats reported (renderedJson (filmStats versionLine memory workers done))) shot
       pure (if ending == Complete then written else endStatus ending)
     renderedJson = Builder.toLazyByteString . Builder.stringUtf8 . renderJson
     endStatus ending = case ending of
@@ -567,21 +567,21 @@ renderedScene options = case renderFrom options of
       pure (coded (Coding (codingBits asked <|> codingBits before) (codingQuality asked <|> codingQuality before)) scenes')
 
 -- | Draw the picture as text on standard output.
-preview :: Maybe SkyImage -> Scene -> Workers -> IO ExitStatus
-preview sky scene crew = do
+preview :: Maybe EnvironmentMap -> Scene -> Workers -> IO ExitStatus
+preview sky scene workers = do
   isTerminal <- hIsTerminalDevice stdout
   environment <- getEnvironment
   window <- Terminal.size
   let (columns, textLines) = maybe (80, 24) (\(Terminal.Window h w) -> (w, h)) window
       Picture width height = scenePicture scene
       (across, down) = previewSize columns textLines (width, height)
-  exposed <- exposeFilmUnder sky crew (const (pure ())) scene {scenePicture = Picture across down}
+  exposed <- exposeFilmWithSky sky workers (const (pure ())) scene {scenePicture = Picture across down}
   case exposed of
     Nothing -> untraceable
     Just film -> do
-      _ <- warnOfFaults crew 0 film
-      bloomed <- bloomFilm crew (sceneBloom scene) film
-      codes <- developFilm crew (sceneExposure scene) (sceneToneMap scene) (sceneDither scene) bloomed
+      _ <- warnOfFaults workers 0 film
+      bloomed <- bloomFilm workers (sceneBloom scene) film
+      codes <- developFilm workers (sceneExposure scene) (sceneToneMap scene) (sceneDither scene) bloomed
       printed Done (previewText (palette isTerminal environment) codes)
 
 untraceable :: IO ExitStatus
@@ -590,7 +590,7 @@ untraceable = complain InternalFault "the scene is valid but cannot be traced"
 -- | Warn of pixels without finite radiance in a film whose first row is this row of the
 -- picture. Returns their number, and the column and row of the first one in the picture.
 warnOfFaults :: Workers -> Int -> Film -> IO (Int, Maybe (Int, Int))
-warnOfFaults crew first film = faultyPixels crew film >>= warn
+warnOfFaults workers first film = faultyPixels workers film >>= warn
   where
     warn (n, Just (x, y)) = do
       say ("warning: " ++ show n ++ " pixels have no finite radiance, the first at " ++ show x ++ "," ++ show (first + y))
@@ -609,8 +609,8 @@ scenes task = do
     status _ = BadInput
 
 -- | Explain one pixel on standard output.
-explain :: Scene -> (Int, Int) -> Maybe SkyImage -> IO ExitStatus
-explain scene (x, y) sky = case tracerUnder sky scene >>= \traced -> explainPixel traced x y of
+explain :: Scene -> (Int, Int) -> Maybe EnvironmentMap -> IO ExitStatus
+explain scene (x, y) sky = case tracerWithSky sky scene >>= \traced -> explainPixel traced x y of
   Just explanation -> printed Done (unlines (explanationLines scene explanation))
   Nothing -> untraceable
 

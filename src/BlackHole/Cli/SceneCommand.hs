@@ -6,8 +6,8 @@ module BlackHole.Cli.SceneCommand
   )
 where
 
-import BlackHole.Animation.Film (filmFrames)
-import BlackHole.Cli.FilmScene
+import BlackHole.Animation.Animation (filmFrames)
+import BlackHole.Cli.AnimationScene
 import BlackHole.Cli.Json (renderJson)
 import BlackHole.Cli.Read (filesEnding)
 import BlackHole.Cli.SceneOptions

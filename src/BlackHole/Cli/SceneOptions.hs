@@ -13,7 +13,7 @@ where
 
 import BlackHole.Cli.Console (say)
 import BlackHole.Cli.Read
-import BlackHole.Image.Moments (splitMoments)
+import BlackHole.Image.MotionBlur (splitMoments)
 import BlackHole.Scene.Field.Field
 import BlackHole.Scene.Field.Kind
 import BlackHole.Scene.Field.Table

@@ -5,7 +5,7 @@ module BlackHole.Cli.Schema
   )
 where
 
-import BlackHole.Animation.FilmFile
+import BlackHole.Animation.AnimationFile
 import BlackHole.Cli.Json
 import BlackHole.Scene.Field.Field
 import BlackHole.Scene.Field.Kind

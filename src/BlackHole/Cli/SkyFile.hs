@@ -10,13 +10,13 @@ where
 import BlackHole.Animation.Digest
 import BlackHole.Image.Panorama
 import BlackHole.Scene.Scene (Scene)
+import BlackHole.Trace.EnvironmentMap (EnvironmentMap)
 import BlackHole.Trace.Sky (neededPicture)
-import BlackHole.Trace.SkyImage (SkyImage)
 import qualified Data.ByteString.Lazy as Lazy
 
 -- | A picture of the sky with the fingerprint of its file.
 data SkyFile = SkyFile
-  { skyFileImage :: !SkyImage,
+  { skyFileImage :: !EnvironmentMap,
     skyFileDigest :: !Digest
   }
 

@@ -11,8 +11,8 @@ import BlackHole.Render.Workers (Workers, workersCount)
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.File.SceneFile (printScene)
 import BlackHole.Scene.Scene
-import BlackHole.Trace.Census
-import BlackHole.Trace.SkyImage (SkyImage)
+import BlackHole.Trace.EnvironmentMap (EnvironmentMap)
+import BlackHole.Trace.RenderStatistics
 import qualified Crypto.Hash.SHA256 as SHA256
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Builder as Builder
@@ -24,7 +24,7 @@ data Stats = Stats
   { statsVersion :: !String,
     statsScene :: !Scene,
     -- | The environment map, if the scene has one.
-    statsSky :: !(Maybe SkyImage),
+    statsSky :: !(Maybe EnvironmentMap),
     statsWorkers :: !Workers,
     -- | The first row and the number of rows.
     statsRows :: !(Int, Int),
@@ -40,7 +40,7 @@ data Stats = Stats
   }
 
 -- | The statistics as one JSON object. The object @estimates@ has the numbers that the
--- tracer does not count, estimated from a thousand lines of sight ('census'), with
+-- tracer does not count, estimated from a thousand lines of sight ('renderStatistics'), with
 -- their standard errors. The hash is the SHA-256 of the complete scene as
 -- 'printScene' prints it.
 statsText :: Stats -> Lazy.ByteString
@@ -68,23 +68,23 @@ statsText s =
         ("error_bounds", maybe Null bounds found)
       ]
   where
-    found = census (statsSky s) scene (statsRows s)
+    found = renderStatistics (statsSky s) scene (statsRows s)
     adaptive = mostSamples scene > sceneSamples scene
-    raysOfPixel = maybe (fromIntegral (sceneSamples scene)) (\c -> let Mean m _ = censusRays c in m) found
+    raysOfPixel = maybe (fromIntegral (sceneSamples scene)) (\c -> let Mean m _ = statisticsRays c in m) found
     estimates c =
       Object
-        [ ("lines_of_sight", Whole (censusLines c)),
-          ("rays", total pixels (censusRays c)),
-          ("steps", total (pixels * raysOfPixel) (censusSteps c)),
-          ("gas_samples", total (pixels * raysOfPixel) (censusGasSamples c))
+        [ ("lines_of_sight", Whole (statisticsLines c)),
+          ("rays", total pixels (statisticsRays c)),
+          ("steps", total (pixels * raysOfPixel) (statisticsSteps c)),
+          ("gas_samples", total (pixels * raysOfPixel) (statisticsGasSamples c))
         ]
     total factor (Mean mean off) = Object [("total", Number (mean * factor)), ("standard_error", Number (off * factor))]
     bounds c =
       Object
         [ ("against", Text "closed form of the orbit"),
-          ("lines_of_sight", Whole (censusLines c)),
-          ("greatest_direction_error_radians", Number (censusDirectionError c)),
-          ("other_fates", Whole (censusOtherFates c))
+          ("lines_of_sight", Whole (statisticsLines c)),
+          ("greatest_direction_error_radians", Number (statisticsDirectionError c)),
+          ("other_fates", Whole (statisticsOtherFates c))
         ]
     scene = statsScene s
     Picture width height = scenePicture scene
@@ -97,14 +97,14 @@ statsText s =
 -- the scene, the number of tiles, the workers, the seconds, and the peak of the memory in
 -- bytes.
 joinStatsText :: String -> Scene -> Int -> Workers -> Double -> Maybe Integer -> Lazy.ByteString
-joinStatsText version scene tiles crew seconds memory =
+joinStatsText version scene tiles workers seconds memory =
   Builder.toLazyByteString . Builder.stringUtf8 . renderJson $
     Object
       [ ("version", Text version),
         ("width", Whole width),
         ("height", Whole height),
         ("tiles", Whole tiles),
-        ("workers", Whole (workersCount crew)),
+        ("workers", Whole (workersCount workers)),
         ("seconds", Number seconds),
         ("peak_memory_bytes", maybe Null (Whole . fromInteger) memory)
       ]

@@ -9,12 +9,11 @@ module BlackHole.Explore.Hall
   )
 where
 
-import BlackHole.Animation.Exposure
 import BlackHole.Explore.Picture
 import BlackHole.Explore.Reply
 import BlackHole.Image.AtomicFile
 import BlackHole.Image.Coding
-import BlackHole.Image.Finish
+import BlackHole.Image.Write
 import BlackHole.Render.Film
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Preset
@@ -105,10 +104,10 @@ startJob hall scene format name = do
         (Just problem, _) -> failed problem
         (_, Left problem) -> failed problem
         (Nothing, Right picture) -> do
-          exposed <- exposeMomentRows picture (studioCrew studio) (atomically . writeTVar state . JobRuns name) (scene :| []) (0, rows)
+          exposed <- exposeCounted picture (studioWorkers studio) (\done -> atomically (writeTVar state (JobRuns name (fromIntegral done / fromIntegral rows)))) scene (0, rows)
           case exposed of
             Nothing -> failed "the scene cannot be traced"
-            Just light -> case finishBands (studioCrew studio) (studioSoftware studio) format defaultCoding (scene :| []) (pure . filmRows (exposedLight light)) (pure . countsRow scene light) of
+            Just light -> case finishBands (studioWorkers studio) (studioSoftware studio) format defaultCoding (scene :| []) (pure . filmRows (exposedLight light)) (pure . countsRow scene light) of
               Nothing -> failed "the picture is too large for this format"
               Just write -> do
                 written <- writeAtomically name write

@@ -25,7 +25,7 @@ import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
 import BlackHole.Trace.Pixel
 import BlackHole.Trace.Sky (neededPicture)
-import BlackHole.Trace.SkyImage (SkyImage)
+import BlackHole.Trace.EnvironmentMap (EnvironmentMap)
 import Control.Concurrent (threadDelay)
 import Control.Concurrent.Async
 import Control.Concurrent.STM
@@ -61,7 +61,7 @@ data Easel = Easel
 -- | What the painter remembers from picture to picture.
 data Memory = Memory
   { -- | The environment map and the file that it comes from.
-    memorySky :: !(Maybe (FilePath, SkyImage)),
+    memorySky :: !(Maybe (FilePath, EnvironmentMap)),
     memoryTracer :: !(Maybe Tracer),
     -- | The latest finished picture: its scene and its film.
     memoryFinished :: !(Maybe (Scene, Exposed)),

@@ -13,9 +13,9 @@ module BlackHole.Explore.Picture
 where
 
 import BlackHole.Image.Coding
-import BlackHole.Image.Finish
+import BlackHole.Image.Write
 import BlackHole.Image.Jpeg
-import BlackHole.Image.Label
+import BlackHole.Image.Metadata
 import BlackHole.Light.Display (Exposure (..), ToneMap (..))
 import BlackHole.Light.Dither (Dither (..))
 import BlackHole.Render.Bloom
@@ -27,7 +27,7 @@ import BlackHole.Render.Workers
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
 import BlackHole.Trace.Pixel
-import BlackHole.Trace.SkyImage (SkyImage)
+import BlackHole.Trace.EnvironmentMap (EnvironmentMap)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.List.NonEmpty (NonEmpty (..))
@@ -35,12 +35,12 @@ import qualified Data.Vector.Storable as Vector
 
 -- | What all pictures share.
 data Studio = Studio
-  { studioCrew :: !Workers,
+  { studioWorkers :: !Workers,
     -- | The program's name and version, which picture files record.
     studioSoftware :: !String,
     -- | The environment map of a scene, if it needs one, or one line that says what is
     -- wrong with it.
-    studioSky :: Scene -> IO (Either String (Maybe SkyImage)),
+    studioSky :: Scene -> IO (Either String (Maybe EnvironmentMap)),
     -- | Why a scene's picture does not fit into memory, if it does not.
     studioRoom :: Format -> Scene -> IO (Maybe String)
   }
@@ -52,10 +52,10 @@ movingScene size scene = scene {scenePicture = size, sceneSamples = 1, sceneInte
 
 -- | The film of a scene, with the tracer that made it. Takes over the tables of an
 -- earlier tracer where they are equal ('tracerAfter').
-drafted :: Studio -> Maybe SkyImage -> Maybe Tracer -> Scene -> IO (Maybe (Tracer, Film))
-drafted studio sky before scene = case maybe (tracerUnder sky scene) (\earlier -> tracerAfter earlier sky scene) before of
+drafted :: Studio -> Maybe EnvironmentMap -> Maybe Tracer -> Scene -> IO (Maybe (Tracer, Film))
+drafted studio sky before scene = case maybe (tracerWithSky sky scene) (\earlier -> tracerAfter earlier sky scene) before of
   Nothing -> pure Nothing
-  Just traced -> fmap ((,) traced . exposedLight) <$> exposeTraced traced (studioCrew studio) (const (pure ())) (0, pictureHeight (scenePicture scene))
+  Just traced -> fmap ((,) traced . exposedLight) <$> exposeTraced traced (studioWorkers studio) (const (pure ())) (0, pictureHeight (scenePicture scene))
 
 -- | A scene without what only the development of its film depends on. The exposure is
 -- kept: it decides which pixels get more rays.
@@ -65,23 +65,23 @@ undeveloped scene = scene {sceneToneMap = ToneNone, sceneDither = NoDither, scen
 -- | A film developed for a scene as a JPEG of a quality.
 quickly :: Studio -> Int -> Scene -> Film -> IO Lazy.ByteString
 quickly studio quality scene film = do
-  bloomed <- bloomFilm crew (sceneBloom scene) film
-  codes <- developFilm crew (sceneExposure scene) (sceneToneMap scene) (sceneDither scene) bloomed
+  bloomed <- bloomFilm workers (sceneBloom scene) film
+  codes <- developFilm workers (sceneExposure scene) (sceneToneMap scene) (sceneDither scene) bloomed
   pure (encodeJpeg quality (Label (studioSoftware studio) defaultCoding Bytes.empty) codes)
   where
-    crew = studioCrew studio
+    workers = studioWorkers studio
 
 -- | The film of a scene with its own sampling, and the numbers of samples of its pixels.
 -- After each band of rows the callback receives the finished fraction and the picture so
 -- far: the finished rows, and below them those of an earlier film of the same size.
 -- Every number equals that of 'exposeFilm'.
-completed :: Studio -> Maybe SkyImage -> Scene -> Film -> (Double -> Film -> IO ()) -> IO (Maybe Exposed)
-completed studio sky scene earlier progress = case (tracerUnder sky scene, pixelShape width height 3, pixelShape width height 1) of
+completed :: Studio -> Maybe EnvironmentMap -> Scene -> Film -> (Double -> Film -> IO ()) -> IO (Maybe Exposed)
+completed studio sky scene earlier progress = case (tracerWithSky sky scene, pixelShape width height 3, pixelShape width height 1) of
   (Just traced, Just shape, Just countShape) -> do
-    _ <- mapShared crew pure (tracerTables traced)
+    _ <- mapShared workers pure (tracerTables traced)
     let go _ [] done = pure (assemble shape countShape (reverse done))
         go finished ((first, count) : rest) done = do
-          band <- exposeTraced traced crew (const (pure ())) (first, count)
+          band <- exposeTraced traced workers (const (pure ())) (first, count)
           case band of
             Nothing -> pure Nothing
             Just exposed -> do
@@ -93,9 +93,9 @@ completed studio sky scene earlier progress = case (tracerUnder sky scene, pixel
     go [] bands []
   _ -> pure Nothing
   where
-    crew = studioCrew studio
+    workers = studioWorkers studio
     Picture width height = scenePicture scene
-    bandRows = max (4 * workersCount crew) ((height + 15) `quot` 16)
+    bandRows = max (4 * workersCount workers) ((height + 15) `quot` 16)
     bands = [(from, min bandRows (height - from)) | from <- [0, bandRows .. height - 1]]
     assemble shape countShape done = do
       light <- fromPixelVector shape (Vector.concat (map (toPixelVector . exposedLight) done))
@@ -107,7 +107,7 @@ completed studio sky scene earlier progress = case (tracerUnder sky scene, pixel
 
 -- | The PNG file of a film: the bytes that @render@ writes.
 finishedPng :: Studio -> Scene -> Exposed -> IO (Maybe Lazy.ByteString)
-finishedPng studio scene = finishFilm (studioCrew studio) (studioSoftware studio) Png defaultCoding (scene :| [])
+finishedPng studio scene = finishFilm (studioWorkers studio) (studioSoftware studio) Png defaultCoding (scene :| [])
 
 -- | A small JPEG of a scene, 240 pixels wide, with one worker.
 thumbnail :: Studio -> Scene -> IO (Maybe Lazy.ByteString)
@@ -115,6 +115,6 @@ thumbnail studio scene = do
   film <- drafted alone Nothing Nothing small
   traverse (quickly alone 85 small . snd) film
   where
-    alone = studio {studioCrew = oneWorker}
+    alone = studio {studioWorkers = oneWorker}
     Picture width height = scenePicture scene
     small = (movingScene (Picture 240 (max 1 ((240 * height) `quot` max 1 width))) scene) {sceneExposure = let Exposure e = sceneExposure scene in Exposure e}

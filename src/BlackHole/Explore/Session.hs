@@ -5,7 +5,7 @@ module BlackHole.Explore.Session
   )
 where
 
-import BlackHole.Animation.Film (momentScene)
+import BlackHole.Animation.Animation (momentScene)
 import BlackHole.Explore.CommandLine
 import BlackHole.Explore.Files
 import BlackHole.Explore.Hall
@@ -200,7 +200,7 @@ obey page message = case message of
           y = min (height - 1) (floor (down * fromIntegral height))
       case sky of
         Left problem -> refusal [problem]
-        Right picture -> case tracerUnder picture scene >>= \traced -> (,) traced <$> explainPixel traced x y of
+        Right picture -> case tracerWithSky picture scene >>= \traced -> (,) traced <$> explainPixel traced x y of
           Nothing -> refusal ["the pixel cannot be explained"]
           Just (traced, explanation) ->
             tell page (PixelIs scene explanation (sightPath traced 40 (XY (fromIntegral x + 0.5) (fromIntegral y + 0.5))))

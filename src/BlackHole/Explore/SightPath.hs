@@ -4,12 +4,12 @@ module BlackHole.Explore.SightPath
   )
 where
 
-import BlackHole.Physics.Course
-import BlackHole.Physics.Kerr.Path (Azimuth (..))
-import BlackHole.Physics.Kerr.PathReport
-import BlackHole.Physics.Observer
-import BlackHole.Physics.Photon
-import BlackHole.Physics.Spacetime (Spacetime (Flat))
+import BlackHole.Spacetime.Schwarzschild.Trajectory
+import BlackHole.Spacetime.Kerr.Path (Azimuth (..))
+import BlackHole.Spacetime.Kerr.PathReport
+import BlackHole.Spacetime.Observer
+import BlackHole.Spacetime.Photon
+import BlackHole.Spacetime.Types (Spacetime (Flat))
 import BlackHole.Scene.Scene
 import BlackHole.Trace.Pixel
 import BlackHole.Vector.XY (XY)
@@ -25,7 +25,7 @@ sightPath traced drawn point = thinned $ case tracedSight traced point of
   Just (RotatingSight hole azimuth ray) -> [turnedTo azimuth place | KerrPathPoint _ place <- kerrReportPath (kerrReport hole drawn ray)]
   Just (SightLine photon observed)
     | sceneSpacetime (tracedScene traced) == Flat -> straight photon
-    | otherwise -> [photonPosition (pointPhoton p) | p <- coursePoints drawn 0.02 (courseFromPhoton observed photon)]
+    | otherwise -> [photonPosition (pointPhoton p) | p <- trajectoryPoints drawn 0.02 (trajectoryFromPhoton observed photon)]
   where
     straight (Photon place velocity) =
       let reach = 2 * max drawn (XYZ.norm place)

@@ -5,7 +5,7 @@ module BlackHole.Explore.Steer
   )
 where
 
-import BlackHole.Physics.Angle
+import BlackHole.Numeric.Angle
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Validate

@@ -8,8 +8,8 @@ module BlackHole.Explore.Timeline
   )
 where
 
-import BlackHole.Animation.Film
-import BlackHole.Animation.FilmFile
+import BlackHole.Animation.Animation
+import BlackHole.Animation.AnimationFile
 import BlackHole.Animation.Interpolate
 import BlackHole.Scene.Field.Field
 import BlackHole.Scene.Field.Kind

@@ -10,11 +10,11 @@ module BlackHole.Figure.RayFan
 where
 
 import BlackHole.Figure.Figure
-import BlackHole.Physics.Angle (Radians (..))
-import BlackHole.Physics.Course
-import BlackHole.Physics.Orbit (OrbitFate (..))
-import BlackHole.Physics.Photon (Photon (..))
-import BlackHole.Physics.Radii
+import BlackHole.Numeric.Angle (Radians (..))
+import BlackHole.Spacetime.Photon (Photon (..))
+import BlackHole.Spacetime.Schwarzschild.Orbit (OrbitFate (..))
+import BlackHole.Spacetime.Schwarzschild.Radii
+import BlackHole.Spacetime.Schwarzschild.Trajectory
 import BlackHole.Vector.XY (XY (..))
 import qualified BlackHole.Vector.XY as XY
 import BlackHole.Vector.XYZ (XYZ (..))
@@ -70,10 +70,10 @@ data RayClass
 
 -- | The class of a ray from infinity with this impact parameter, at least 0.
 classifyRay :: Double -> RayClass
-classifyRay = classOf . courseFromInfinity fanSight
+classifyRay = classOf . trajectoryFromInfinity fanSight
 
-classOf :: Course -> RayClass
-classOf course = case courseFate course of
+classOf :: Trajectory -> RayClass
+classOf trajectory = case trajectoryFate trajectory of
   Escapes angle | angle < 2 * pi -> Escaping
   Captured angle | angle < 2 * pi -> Falling
   _ -> Winding
@@ -113,17 +113,17 @@ rayFanFigure fan@(RayFan _ extent width) =
 
     -- Winding rays are on top, because they share their paths with others.
     drawingOrder =
-      [ (kind, course, b < 0)
+      [ (kind, trajectory, b < 0)
         | kind <- [Escaping, Falling, Winding],
           b <- fanImpactParameters fan,
-          let course = courseFromInfinity fanSight (abs b),
-          classOf course == kind
+          let trajectory = trajectoryFromInfinity fanSight (abs b),
+          classOf trajectory == kind
       ]
-    drawnRay (kind, course, mirrored) =
-      case map (spot mirrored) (coursePoints (1.6 * extent) 0.03 course) of
+    drawnRay (kind, trajectory, mirrored) =
+      case map (spot mirrored) (trajectoryPoints (1.6 * extent) 0.03 trajectory) of
         [] -> []
         points -> Polyline (Stroke (classColour kind) (1.9 * hairline) Nothing) points : arrowOn (classColour kind) points
-    spot mirrored (CoursePoint _ (Photon (XYZ x y _) _)) = at (negate y) (if mirrored then negate x else x)
+    spot mirrored (TrajectoryPoint _ (Photon (XYZ x y _) _)) = at (negate y) (if mirrored then negate x else x)
 
     -- Where a ray first crosses a line to the left of the hole, pointing along the ray.
     arrowOn colour points =

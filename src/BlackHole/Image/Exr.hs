@@ -14,7 +14,7 @@ where
 
 import BlackHole.Image.Bytes
 import BlackHole.Image.Deflate
-import BlackHole.Image.Label
+import BlackHole.Image.Metadata
 import BlackHole.Image.Sphere
 import BlackHole.Render.Film (Film, filmRows)
 import BlackHole.Render.Layer
@@ -65,10 +65,10 @@ data ChannelRow = ChannelRow !Bool !Int !Int !(Vector.Vector Word32)
 -- label (attributes @software@ and @comments@). 'Nothing' if names of layers are equal,
 -- empty or longer than 31 characters. The bytes do not depend on the number of workers.
 encodeExr :: Workers -> ExrPrecision -> Label -> Layers -> Film -> IO (Maybe Lazy.ByteString)
-encodeExr crew precision label layers film
+encodeExr workers precision label layers film
   | layersFit layers = do
     blocks <- newIORef []
-    _ <- eachBlock crew precision width height layers (pure . filmRows film) (\bytes -> modifyIORef' blocks (bytes :))
+    _ <- eachBlock workers precision width height layers (pure . filmRows film) (\bytes -> modifyIORef' blocks (bytes :))
     contents <- reverse <$> readIORef blocks
     pure . Just . Builder.toLazyByteString $
       Builder.byteString header
@@ -85,13 +85,13 @@ encodeExr crew precision label layers film
 -- 'Nothing' where 'encodeExr' returns 'Nothing'. The action returns 'False', and leaves
 -- a truncated file, as soon as a band is missing.
 writeExr :: Workers -> ExrPrecision -> Label -> (Int, Int) -> Layers -> ((Int, Int) -> IO (Maybe Film)) -> Maybe (Handle -> IO Bool)
-writeExr crew precision label (width, height) layers rowsOf
+writeExr workers precision label (width, height) layers rowsOf
   | layersFit layers = Just $ \handle -> do
     sizes <- newIORef []
     Bytes.hPut handle header
     -- The offsets of the blocks are known only after they are written.
     Lazy.hPut handle (Lazy.replicate (8 * fromIntegral (length (blocksOf height))) 0)
-    complete <- eachBlock crew precision width height layers rowsOf $ \bytes -> do
+    complete <- eachBlock workers precision width height layers rowsOf $ \bytes -> do
       -- Evaluated now; otherwise the thunk of the length would retain the bytes.
       let !size = Bytes.length bytes
       modifyIORef' sizes (size :)
@@ -127,9 +127,9 @@ blocksOf height = [(row, min height (row + linesPerBlock)) | row <- [0, linesPer
 
 -- | Passes on all blocks in order, each preceded by its row and size.
 eachBlock :: Workers -> ExrPrecision -> Int -> Int -> Layers -> ((Int, Int) -> IO (Maybe Film)) -> (ByteString -> IO ()) -> IO Bool
-eachBlock crew precision width height layers rowsOf put = go (blocksOf height)
+eachBlock workers precision width height layers rowsOf put = go (blocksOf height)
   where
-    go blocks = case splitAt (4 * workersCount crew) blocks of
+    go blocks = case splitAt (4 * workersCount workers) blocks of
       ([], _) -> pure True
       (group, rest) -> do
         let first = minimum (map fst group)
@@ -137,7 +137,7 @@ eachBlock crew precision width height layers rowsOf put = go (blocksOf height)
         band <- rowsOf (first, count)
         case band of
           Just film | (shapeWidth (pixelArrayShape film), shapeHeight (pixelArrayShape film), shapeChannels (pixelArrayShape film)) == (width, count, 3) -> do
-            done <- mapShared crew (coded first film) group
+            done <- mapShared workers (coded first film) group
             mapM_ put done
             -- The bands are large and no longer needed, but few, so the collector would
             -- not notice them in time.

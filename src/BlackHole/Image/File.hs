@@ -10,7 +10,7 @@ import BlackHole.Image.Coding
 import BlackHole.Image.Exr
 import BlackHole.Image.Hdr
 import BlackHole.Image.Jpeg
-import BlackHole.Image.Label
+import BlackHole.Image.Metadata
 import BlackHole.Image.Png
 import BlackHole.Image.Tiff
 import BlackHole.Light.Display (Exposure, ToneMap)
@@ -39,22 +39,22 @@ data Development = Development
 -- the layers do not fit ('encodeExr'). The bytes do not depend on the number of
 -- workers.
 encodeFile :: Workers -> Format -> Label -> Development -> Layers -> Film -> IO (Maybe Lazy.ByteString)
-encodeFile crew format label (Development exposure tone dither) layers film = case (format, bits) of
-  (Png, 16) -> Just <$> (fine >>= encodePng crew label . Codes16)
-  (Png, _) -> Just <$> (coarse >>= encodePng crew label . Codes8)
+encodeFile workers format label (Development exposure tone dither) layers film = case (format, bits) of
+  (Png, 16) -> Just <$> (fine >>= encodePng workers label . Codes16)
+  (Png, _) -> Just <$> (coarse >>= encodePng workers label . Codes8)
   (Jpeg, _)
     | shapeWidth shape > 65535 || shapeHeight shape > 65535 -> pure Nothing
     | otherwise -> Just . encodeJpeg (codingQualityOf coding) label <$> coarse
   (Tiff, 32) -> pure (encodeTiff label (TiffLight film))
   (Tiff, _) -> encodeTiff label . TiffCodes <$> fine
-  (Hdr, _) -> Just <$> encodeHdr crew label film
-  (Exr, _) -> encodeExr crew (if bits == 32 then Single else Half) label layers film
+  (Hdr, _) -> Just <$> encodeHdr workers label film
+  (Exr, _) -> encodeExr workers (if bits == 32 then Single else Half) label layers film
   where
     shape = pixelArrayShape film
     coding = labelCoding label
     bits = codingBitsOf format coding
-    coarse = developFilm crew exposure tone dither film
-    fine = developFilmFinely crew exposure tone film
+    coarse = developFilm workers exposure tone dither film
+    fine = developFilmFinely workers exposure tone film
 
 -- | The label of a picture file written by this program; 'Nothing' for other files.
 fileLabel :: ByteString -> Maybe Label

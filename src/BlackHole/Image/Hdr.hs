@@ -10,7 +10,7 @@ module BlackHole.Image.Hdr
   )
 where
 
-import BlackHole.Image.Label
+import BlackHole.Image.Metadata
 import BlackHole.Render.Film (Film)
 import BlackHole.Render.PixelArray (pixelArrayShape)
 import BlackHole.Render.PixelRows (pixelRow)
@@ -34,8 +34,8 @@ import Foreign.Storable (pokeByteOff)
 -- 0; components above 1e38 become 1e38. Rows are run-length encoded where the format
 -- allows it (8 to 32767 pixels). The bytes do not depend on the number of workers.
 encodeHdr :: Workers -> Label -> Film -> IO Lazy.ByteString
-encodeHdr crew label film = do
-  rows <- hdrRows crew film
+encodeHdr workers label film = do
+  rows <- hdrRows workers film
   pure (Lazy.fromChunks (hdrHeader label (shapeWidth shape, shapeHeight shape) : rows))
   where
     shape = pixelArrayShape film
@@ -50,7 +50,7 @@ hdrHeader label (width, height) =
 
 -- | The encoded rows of a band, in order.
 hdrRows :: Workers -> Film -> IO [ByteString]
-hdrRows crew film = mapShared crew (pure . codedRow) (mapMaybe (pixelRow film) [0 .. shapeHeight shape - 1])
+hdrRows workers film = mapShared workers (pure . codedRow) (mapMaybe (pixelRow film) [0 .. shapeHeight shape - 1])
   where
     shape = pixelArrayShape film
     width = shapeWidth shape
@@ -127,10 +127,10 @@ runLengths = Bytes.concat . go
         where
           runLength = Bytes.length (Bytes.takeWhile (== byte) (Bytes.take 127 bytes))
     -- Up to the start of the next run of four.
-    literalLength bytes = stretch 1
+    literalLength bytes = segment 1
       where
         size = min 128 (Bytes.length bytes)
-        stretch n
+        segment n
           | n >= size = size
           | n + 3 < Bytes.length bytes && all (\k -> unsafeIndex bytes (n + k) == unsafeIndex bytes n) [1 .. 3] = n
-          | otherwise = stretch (n + 1)
+          | otherwise = segment (n + 1)

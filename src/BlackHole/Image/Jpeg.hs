@@ -6,7 +6,7 @@ module BlackHole.Image.Jpeg
 where
 
 import BlackHole.Image.Bytes
-import BlackHole.Image.Label
+import BlackHole.Image.Metadata
 import BlackHole.Image.Sphere
 import BlackHole.Render.PixelArray (PixelArray, pixelArrayShape, toPixelVector)
 import BlackHole.Render.PixelShape

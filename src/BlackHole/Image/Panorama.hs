@@ -17,7 +17,7 @@ import BlackHole.Image.JpegSegments (soundJpeg)
 import BlackHole.Image.PlainTiff
 import BlackHole.Light.Display (decodeSrgb)
 import BlackHole.Light.Radiance
-import BlackHole.Trace.SkyImage
+import BlackHole.Trace.EnvironmentMap
 import qualified Codec.Compression.Zlib as Zlib
 import Codec.Picture
 import Codec.Picture.Types (convertImage, promoteImage)
@@ -41,7 +41,7 @@ maximumPanoramaPixels = 8192 * 4096
 -- Radiance HDR. Files with 8 or 16 bits per channel are interpreted as sRGB, and those
 -- with floating-point numbers as linear. 'Left' holds a message without the file's
 -- name. Takes about 0.2 µs per pixel.
-readPanorama :: FilePath -> IO (Either String SkyImage)
+readPanorama :: FilePath -> IO (Either String EnvironmentMap)
 readPanorama file = readPanoramaBytes file >>= either (pure . Left) decodePanorama
 
 -- | The file's bytes if the file exists and has a plausible size, or a message.
@@ -61,7 +61,7 @@ readPanoramaBytes file = do
         else Just <$> Bytes.hGet handle (fromInteger size)
 
 -- | The picture in a file's bytes, or a message.
-decodePanorama :: Bytes.ByteString -> IO (Either String SkyImage)
+decodePanorama :: Bytes.ByteString -> IO (Either String EnvironmentMap)
 decodePanorama bytes = do
   decoded <- try (evaluate (maybe (decodedByKind bytes) Left (panoramaFault bytes <|> swollen bytes)))
   case decoded of
@@ -72,7 +72,7 @@ decodePanorama bytes = do
 
 -- | Chooses the decoder by the kind of file. A decoder that tries all kinds takes a
 -- damaged file for a Targa of any size, because Targa has no signature.
-decodedByKind :: Bytes.ByteString -> Either String SkyImage
+decodedByKind :: Bytes.ByteString -> Either String EnvironmentMap
 decodedByKind bytes
   | Bytes.isPrefixOf (Bytes.pack [0x89]) bytes = case Bytes.unpack (Bytes.take 1 (Bytes.drop 28 bytes)) of
     -- JuicyPixels can access memory out of bounds in a damaged interlaced PNG.
@@ -83,7 +83,7 @@ decodedByKind bytes
   | otherwise = maybe (Left "is damaged, or not a plain TIFF: 8 or 16 bits or floating-point numbers, not compressed") plain (readPlainTiff bytes)
   where
     decodedBy decoder = either (const (Left "is damaged")) pictured (decoder bytes)
-    plain tiff = maybe (Left "is empty") Right (skyImageFromPixels (tiffWidth tiff) (tiffHeight tiff) (\i j -> light (tiffFloating tiff) (tiffSamples tiff i j)))
+    plain tiff = maybe (Left "is empty") Right (environmentMapFromPixels (tiffWidth tiff) (tiffHeight tiff) (\i j -> light (tiffFloating tiff) (tiffSamples tiff i j)))
     light floating (r, g, b)
       | floating = Radiance (positive r) (positive g) (positive b)
       | otherwise = Radiance (linear r) (linear g) (linear b)
@@ -175,7 +175,7 @@ panoramaSize bytes
 
 -- | The decoded picture as linear light. Uses the decoded size, because the header may
 -- be wrong.
-pictured :: DynamicImage -> Either String SkyImage
+pictured :: DynamicImage -> Either String EnvironmentMap
 pictured decoded = case decoded of
   ImageY8 image -> made8 (promoteImage image)
   ImageYA8 image -> made8 (promoteImage image)
@@ -204,8 +204,8 @@ positive v
   | v > 0 = min 1e6 (realToFrac v)
   | otherwise = 0
 
-made :: Pixel pixel => Image pixel -> (pixel -> Radiance) -> Either String SkyImage
-made image light = maybe (Left "is empty") Right (skyImageFromPixels width height (\i j -> light (pixelAt image i j)))
+made :: Pixel pixel => Image pixel -> (pixel -> Radiance) -> Either String EnvironmentMap
+made image light = maybe (Left "is empty") Right (environmentMapFromPixels width height (\i j -> light (pixelAt image i j)))
   where
     width = imageWidth image
     height = imageHeight image

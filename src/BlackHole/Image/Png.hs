@@ -17,7 +17,7 @@ where
 import BlackHole.Image.Bytes
 import BlackHole.Image.Checksum
 import BlackHole.Image.Deflate
-import BlackHole.Image.Label
+import BlackHole.Image.Metadata
 import BlackHole.Image.Sphere
 import BlackHole.Render.PixelArray (PixelArray, pixelArrayShape, toPixelVector)
 import BlackHole.Render.PixelShape
@@ -47,8 +47,8 @@ data Codes
 -- give equal bytes, for any number of workers. Takes about 15 ns per pixel, and three
 -- times that in 16 bits.
 encodePng :: Workers -> Label -> Codes -> IO Lazy.ByteString
-encodePng crew label codes = do
-  strips <- mapShared crew (pure . compressedStrip codes) (stripsOf shape (codeBytes codes))
+encodePng workers label codes = do
+  strips <- mapShared workers (pure . compressedStrip codes) (stripsOf shape (codeBytes codes))
   pure . Lazy.fromChunks $
     pngStart label shape (codeBytes codes) : [piece | Strip _ piece <- strips] ++ [pngEnd (mconcat [total | Strip total _ <- strips])]
   where
@@ -62,7 +62,7 @@ encodePng crew label codes = do
 -- file. The result is 'False', and the file truncated, as soon as a band or rows of it
 -- are missing or have another shape.
 encodePngBands :: Workers -> Label -> PixelShape -> Int -> ((Int, Int) -> IO (Maybe ((Int, Int) -> Maybe Codes))) -> (ByteString -> IO ()) -> IO Bool
-encodePngBands crew label shape bytes rowsOf put =
+encodePngBands workers label shape bytes rowsOf put =
   go mempty [pngStart label shape bytes] (inGroups (stripsOf shape bytes))
   where
     go !total ready [] = True <$ mapM_ put (ready ++ [pngEnd total])
@@ -72,7 +72,7 @@ encodePngBands crew label shape bytes rowsOf put =
       -- While one worker writes finished strips, the others continue.
       done <- case band of
         Nothing -> pure Nothing
-        Just codesOf -> sequence . drop 1 <$> mapShared crew id ((Nothing <$ mapM_ put ready) : map (evaluate . stripOf codesOf) strips)
+        Just codesOf -> sequence . drop 1 <$> mapShared workers id ((Nothing <$ mapM_ put ready) : map (evaluate . stripOf codesOf) strips)
       case done of
         Nothing -> pure False
         Just made -> go (total <> mconcat [part | Strip part _ <- made]) [piece | Strip _ piece <- made] rest
@@ -84,7 +84,7 @@ encodePngBands crew label shape bytes rowsOf put =
         else Nothing
     -- At the end of a group the workers wait for the last one. A strip with 8 bits
     -- corresponds to a megabyte of light.
-    groupSize = max (2 * workersCount crew) (min 48 (16 * workersCount crew))
+    groupSize = max (2 * workersCount workers) (min 48 (16 * workersCount workers))
     inGroups strips = case splitAt groupSize strips of
       ([], _) -> []
       (group, rest) -> group : inGroups rest

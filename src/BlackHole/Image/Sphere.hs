@@ -9,7 +9,7 @@ module BlackHole.Image.Sphere
   )
 where
 
-import BlackHole.Image.Label
+import BlackHole.Image.Metadata
 import BlackHole.Scene.Camera (Projection (..), projectionName)
 import BlackHole.Scene.Field.Kind (Value (..))
 import BlackHole.Scene.File.SceneFile

@@ -15,7 +15,7 @@ module BlackHole.Image.Tiff
 where
 
 import BlackHole.Image.Bytes
-import BlackHole.Image.Label
+import BlackHole.Image.Metadata
 import BlackHole.Image.Sphere
 import BlackHole.Render.Film (Film)
 import BlackHole.Render.PixelArray (PixelArray, pixelArrayShape, toPixelVector)

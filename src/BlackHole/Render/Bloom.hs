@@ -42,9 +42,9 @@ type FilmBands = (Int, Int) -> IO (Maybe Film)
 -- scatter nothing. The same for any number of workers; about 40 ns a pixel, and
 -- a third more memory than another film.
 bloomFilm :: Workers -> Double -> Film -> IO Film
-bloomFilm crew strength film
+bloomFilm workers strength film
   | strength > 0 = do
-    bands <- bloomBands crew strength shape (pure . filmRows film)
+    bands <- bloomBands workers strength shape (pure . filmRows film)
     bloomed <- maybe (pure Nothing) ($ (0, shapeHeight shape)) bands
     -- A film in memory has all its rows.
     pure (fromMaybe film bloomed)
@@ -56,7 +56,7 @@ bloomFilm crew strength film
 -- which each row is asked for once now, and once more when it is wanted. Keeps a
 -- quarter of the film's size in memory, and half of it for a moment.
 bloomBands :: Workers -> Double -> PixelShape -> FilmBands -> IO (Maybe FilmBands)
-bloomBands crew strength shape rowsOf
+bloomBands workers strength shape rowsOf
   | strength > 0 = do
     energy <- finestEnergy
     case energy of
@@ -66,7 +66,7 @@ bloomBands crew strength shape rowsOf
         -- The finer levels' energies are large and of no use any more, but few:
         -- the collector would not notice them in time.
         performMajorGC
-        pure (Just (\(first, rows) -> rowsOf (first, rows) >>= traverse (mapRows crew (blend glare . (first +)))))
+        pure (Just (\(first, rows) -> rowsOf (first, rows) >>= traverse (mapRows workers (blend glare . (first +)))))
   | otherwise = pure (Just rowsOf)
   where
     width = shapeWidth shape
@@ -75,7 +75,7 @@ bloomBands crew strength shape rowsOf
     -- A NaN would spread over the whole picture.
     cleaned band
       | Vector.all isFinite (toPixelVector band) = pure band
-      | otherwise = mapRows crew (const clean) band
+      | otherwise = mapRows workers (const clean) band
     clean old new = Vector.imapM_ (\i v -> MVector.unsafeWrite new i (if isFinite v then v else 0)) old
     scattered = realToFrac (min 1 strength) :: Float
     -- The finest level is half the film's size: the scattered part of a film of
@@ -98,7 +98,7 @@ bloomBands crew strength shape rowsOf
         Nothing -> pure Nothing
         Just (light, smaller) -> do
           finite <- cleaned light
-          Just <$> generateRows crew ignore smaller (shrinkRow height first finite . (from +))
+          Just <$> generateRows workers ignore smaller (shrinkRow height first finite . (from +))
     -- The glare of one level and all coarser ones, on this level, from its energy.
     glareOf :: Int -> Axis -> Axis -> PixelArray Float -> IO (PixelArray Float)
     glareOf level across down energy = do
@@ -108,14 +108,14 @@ bloomBands crew strength shape rowsOf
         if level < depth
           then Just <$> (shrunk energy >>= glareOf (level + 1) across' down')
           else pure Nothing
-      generateRows crew ignore (pixelArrayShape energy) $ \y row ->
+      generateRows workers ignore (pixelArrayShape energy) $ \y row ->
         levelRow (shares Vector.! (level - 1)) across down energy coarser y row
     -- Light, summed and not averaged, at half the size.
     shrunk finer =
       let size = pixelArrayShape finer
        in case pixelShape (halved (shapeWidth size)) (halved (shapeHeight size)) 3 of
             Nothing -> pure finer
-            Just smaller -> generateRows crew ignore smaller (shrinkRow (shapeHeight size) 0 finer)
+            Just smaller -> generateRows workers ignore smaller (shrinkRow (shapeHeight size) 0 finer)
     blend :: PixelArray Float -> Int -> Vector Float -> MVector s Float -> ST s ()
     blend glare y light row = enlargeRow glare width height y $ \i v ->
       let own = Vector.unsafeIndex light i

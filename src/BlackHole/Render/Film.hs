@@ -4,9 +4,9 @@
 module BlackHole.Render.Film
   ( Film,
     exposeFilm,
-    exposeFilmUnder,
+    exposeFilmWithSky,
     exposeRows,
-    exposeRowsUnder,
+    exposeRowsWithSky,
     Exposed (..),
     SampleCounts,
     exposeCounted,
@@ -33,9 +33,9 @@ import BlackHole.Render.Workers (Workers)
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
 import BlackHole.Trace.Adaptive
+import BlackHole.Trace.EnvironmentMap (EnvironmentMap)
 import BlackHole.Trace.Estimate
 import BlackHole.Trace.Pixel
-import BlackHole.Trace.SkyImage (SkyImage)
 import Control.Monad (when)
 import Control.Monad.ST (ST)
 import Data.Foldable (for_)
@@ -54,23 +54,23 @@ type Film = PixelArray Float
 -- The result does not depend on the number of workers. 'Nothing' if the scene is not
 -- valid.
 exposeFilm :: Workers -> (Int -> IO ()) -> Scene -> IO (Maybe Film)
-exposeFilm = exposeFilmUnder Nothing
+exposeFilm = exposeFilmWithSky Nothing
 
 -- | 'exposeFilm' with the environment map, for a scene that has one
 -- ('BlackHole.Trace.Sky.neededPicture'); without its map such a scene yields 'Nothing'.
-exposeFilmUnder :: Maybe SkyImage -> Workers -> (Int -> IO ()) -> Scene -> IO (Maybe Film)
-exposeFilmUnder picture workers progress scene =
-  exposeRowsUnder picture workers progress scene (0, pictureHeight (scenePicture scene))
+exposeFilmWithSky :: Maybe EnvironmentMap -> Workers -> (Int -> IO ()) -> Scene -> IO (Maybe Film)
+exposeFilmWithSky picture workers progress scene =
+  exposeRowsWithSky picture workers progress scene (0, pictureHeight (scenePicture scene))
 
 -- | 'exposeFilm' for a band of the picture: its first row and its number of rows (at
 -- least 1). The numbers equal those of the whole film. 'Nothing' also if the picture
 -- has no such rows.
 exposeRows :: Workers -> (Int -> IO ()) -> Scene -> (Int, Int) -> IO (Maybe Film)
-exposeRows = exposeRowsUnder Nothing
+exposeRows = exposeRowsWithSky Nothing
 
 -- | 'exposeRows' with the environment map, for a scene that has one.
-exposeRowsUnder :: Maybe SkyImage -> Workers -> (Int -> IO ()) -> Scene -> (Int, Int) -> IO (Maybe Film)
-exposeRowsUnder picture crew progress scene band = fmap exposedLight <$> exposeCounted picture crew progress scene band
+exposeRowsWithSky :: Maybe EnvironmentMap -> Workers -> (Int -> IO ()) -> Scene -> (Int, Int) -> IO (Maybe Film)
+exposeRowsWithSky picture workers progress scene band = fmap exposedLight <$> exposeCounted picture workers progress scene band
 
 -- | The number of samples of each pixel, in one channel.
 type SampleCounts = PixelArray Float
@@ -101,21 +101,21 @@ filmRows film (first, rows)
   where
     shape = pixelArrayShape film
 
--- | 'exposeRowsUnder' with the number of samples of each pixel.
-exposeCounted :: Maybe SkyImage -> Workers -> (Int -> IO ()) -> Scene -> (Int, Int) -> IO (Maybe Exposed)
-exposeCounted picture crew progress scene band = maybe (pure Nothing) (\traced -> exposeTraced traced crew progress band) (tracerUnder picture scene)
+-- | 'exposeRowsWithSky' with the number of samples of each pixel.
+exposeCounted :: Maybe EnvironmentMap -> Workers -> (Int -> IO ()) -> Scene -> (Int, Int) -> IO (Maybe Exposed)
+exposeCounted picture workers progress scene band = maybe (pure Nothing) (\traced -> exposeTraced traced workers progress band) (tracerWithSky picture scene)
 
 -- | 'exposeCounted' for a scene that is prepared already.
 exposeTraced :: Tracer -> Workers -> (Int -> IO ()) -> (Int, Int) -> IO (Maybe Exposed)
-exposeTraced traced crew progress (first, rows)
+exposeTraced traced workers progress (first, rows)
   | first < 0 || first > height - rows = pure Nothing
   | otherwise = case pixelShape width rows 3 of
     Nothing -> pure Nothing
     Just shape -> do
-      _ <- mapShared crew pure (tracerTables traced)
+      _ <- mapShared workers pure (tracerTables traced)
       if mostSamples scene > sceneSamples scene
-        then refineRows crew progress traced shape first
-        else Just . (`Exposed` Nothing) <$> generateRows crew progress shape (traceRow traced width . (first +))
+        then refineRows workers progress traced shape first
+        else Just . (`Exposed` Nothing) <$> generateRows workers progress shape (traceRow traced width . (first +))
   where
     scene = tracedScene traced
     Picture width height = scenePicture scene
@@ -126,7 +126,7 @@ exposeTraced traced crew progress (first, rows)
 -- workers seldom wait for each other, and the sums of all samples need little memory in
 -- a large picture.
 refineRows :: Workers -> (Int -> IO ()) -> Tracer -> PixelShape -> Int -> IO (Maybe Exposed)
-refineRows crew progress traced shape first = do
+refineRows workers progress traced shape first = do
   -- All bands are written here directly, to avoid copies.
   light <- MVector.unsafeNew (shapeLength shape)
   counts <- MVector.unsafeNew (width * rows)
@@ -135,11 +135,11 @@ refineRows crew progress traced shape first = do
         | otherwise = case (,) <$> pixelShape width count 4 <*> pixelShape width haloRows sumCount of
           Nothing -> pure Nothing
           Just (bandShape, haloShape) -> do
-            sums <- generateRows crew (progress . (from +) . (`quot` 2)) haloShape $ \y row ->
+            sums <- generateRows workers (progress . (from +) . (`quot` 2)) haloShape $ \y row ->
               case before >>= \(beforeFirst, known) -> pixelRow known (haloFirst + y - beforeFirst) of
                 Just known -> Vector.unsafeCopy row known
                 Nothing -> sumRow traced width (haloFirst + y) row
-            band <- generateRows crew (progress . (from +) . half . (count +)) bandShape (refineRow traced width haloFirst sums . (first + from +))
+            band <- generateRows workers (progress . (from +) . half . (count +)) bandShape (refineRow traced width haloFirst sums . (first + from +))
             separate (toPixelVector band) (MVector.slice (3 * width * from) (3 * width * count) light) (MVector.slice (width * from) (width * count) counts)
             -- The sums are the largest object besides the film.
             when (from + count < rows) performMajorGC
@@ -293,9 +293,9 @@ filmRadiance film column row = (`radianceAt` 0) <$> pixelChannels film column ro
 -- | The number of pixels that contain a NaN or an infinity, and the column and row of
 -- the first. Any such pixel is a fault of the program.
 faultyPixels :: Workers -> Film -> IO (Int, Maybe (Int, Int))
-faultyPixels crew film = do
+faultyPixels workers film = do
   -- The usual case, at a nanosecond per number.
-  sound <- mapShared crew (pure . Vector.all (\v -> v - v == 0)) (slices light)
+  sound <- mapShared workers (pure . Vector.all (\v -> v - v == 0)) (slices light)
   pure (if and sound then (0, Nothing) else (Vector.length faulty, place <$> faulty Vector.!? 0))
   where
     slices numbers

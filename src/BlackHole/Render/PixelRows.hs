@@ -48,8 +48,8 @@ mapRows ::
   (forall s. Int -> Vector a -> MVector s b -> ST s ()) ->
   PixelArray a ->
   IO (PixelArray b)
-mapRows crew convert pixels =
-  generateRows crew (const (pure ())) (pixelArrayShape pixels) $ \y new ->
+mapRows workers convert pixels =
+  generateRows workers (const (pure ())) (pixelArrayShape pixels) $ \y new ->
     for_ (pixelRow pixels y) $ \old -> convert y old new
 
 -- | The result of 'mapRows', computed on the caller's thread. For workers that convert

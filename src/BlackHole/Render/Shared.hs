@@ -13,7 +13,7 @@ import qualified Data.Vector.Mutable as Mutable
 -- takes the next piece as soon as it is free. An exception stops all of them and is
 -- rethrown.
 mapShared :: Workers -> (a -> IO b) -> [a] -> IO [b]
-mapShared crew work pieces = do
+mapShared workers work pieces = do
   results <- Mutable.new count
   next <- newIORef 0
   let worker = do
@@ -22,7 +22,7 @@ mapShared crew work pieces = do
           result <- work (Boxed.unsafeIndex queue i) >>= evaluate
           Mutable.unsafeWrite results i result
           worker
-  onWorkers crew count worker
+  onWorkers workers count worker
   Boxed.toList <$> Boxed.unsafeFreeze results
   where
     queue = Boxed.fromList pieces

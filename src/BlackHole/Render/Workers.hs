@@ -1,7 +1,7 @@
 -- | The number of threads that share a rendering.
 module BlackHole.Render.Workers
   ( Workers,
-    workers,
+    workersFromCount,
     workersCount,
     maximumWorkers,
     oneWorker,
@@ -23,8 +23,8 @@ newtype Workers = Workers Int
   deriving (Eq, Ord, Show)
 
 -- | The number as 'Workers'; 'Nothing' outside 1 to 'maximumWorkers'.
-workers :: Int -> Maybe Workers
-workers n
+workersFromCount :: Int -> Maybe Workers
+workersFromCount n
   | n >= 1 && n <= maximumWorkers = Just (Workers n)
   | otherwise = Nothing
 

@@ -20,7 +20,7 @@ module BlackHole.Scene.Camera
   )
 where
 
-import BlackHole.Physics.Angle
+import BlackHole.Numeric.Angle
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^), (^-^))
 import qualified BlackHole.Vector.XYZ as XYZ

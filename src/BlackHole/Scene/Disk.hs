@@ -11,7 +11,7 @@ module BlackHole.Scene.Disk
   )
 where
 
-import BlackHole.Physics.LightPath (Region (..))
+import BlackHole.Spacetime.LightPath (Region (..))
 
 -- | A spiral disk of gas around @+y@. Radii and lengths are in Schwarzschild
 -- radii.

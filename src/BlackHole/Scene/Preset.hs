@@ -12,16 +12,16 @@ where
 
 import BlackHole.Light.Display (Exposure (..), ToneMap (..))
 import BlackHole.Light.Dither (Dither (..))
-import BlackHole.Physics.Angle (Degrees (..))
-import BlackHole.Physics.Kerr.Landmarks (Handedness (RightHanded), iscoRadius, spin)
-import BlackHole.Physics.Observer (Observer (..))
-import BlackHole.Physics.Spacetime (Spacetime (..))
+import BlackHole.Numeric.Angle (Degrees (..))
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Disk
 import BlackHole.Scene.Filter (Filter (..))
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Shifts (Shifts (..))
 import BlackHole.Scene.Sky
+import BlackHole.Spacetime.Kerr.Landmarks (Handedness (RightHanded), iscoRadius, spin)
+import BlackHole.Spacetime.Observer (Observer (..))
+import BlackHole.Spacetime.Types (Spacetime (..))
 import BlackHole.Vector.XYZ (XYZ (..))
 
 -- | Every preset with its name, the default first.

@@ -11,15 +11,15 @@ where
 
 import BlackHole.Light.Display (Exposure, ToneMap)
 import BlackHole.Light.Dither (Dither)
-import BlackHole.Physics.Leapfrog
-import BlackHole.Physics.LightPath (Region, emptyRegion)
-import BlackHole.Physics.Observer (Observer)
-import BlackHole.Physics.Spacetime (Spacetime)
 import BlackHole.Scene.Camera (Camera, Picture, Projection)
 import BlackHole.Scene.Disk
 import BlackHole.Scene.Filter (Filter)
 import BlackHole.Scene.Shifts (Shifts)
 import BlackHole.Scene.Sky (Sky)
+import BlackHole.Spacetime.LightPath (Region, emptyRegion)
+import BlackHole.Spacetime.Observer (Observer)
+import BlackHole.Spacetime.Schwarzschild.Leapfrog
+import BlackHole.Spacetime.Types (Spacetime)
 import Data.Word (Word64)
 
 -- | A scene. Equal scenes give equal bytes.

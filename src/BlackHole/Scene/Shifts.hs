@@ -9,7 +9,7 @@ module BlackHole.Scene.Shifts
   )
 where
 
-import BlackHole.Physics.Redshift (RedshiftParts (..))
+import BlackHole.Matter.Redshift (RedshiftParts (..))
 
 -- | Physically, both shifts apply; a film may leave one out for artistic reasons.
 data Shifts = Shifts

@@ -14,7 +14,7 @@ module BlackHole.Scene.Sky
   )
 where
 
-import BlackHole.Physics.Angle (Degrees (..))
+import BlackHole.Numeric.Angle (Degrees (..))
 
 -- | The celestial sphere.
 data Sky

@@ -13,9 +13,7 @@ module BlackHole.Scene.Validate
   )
 where
 
-import BlackHole.Physics.Angle (Degrees (..))
-import BlackHole.Physics.Observer
-import BlackHole.Physics.Spacetime (Spacetime (..))
+import BlackHole.Numeric.Angle (Degrees (..))
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Disk
 import BlackHole.Scene.Field.Field (Field (..), fieldLabel)
@@ -24,6 +22,8 @@ import BlackHole.Scene.Field.Number (showNumber)
 import BlackHole.Scene.Field.Table
 import BlackHole.Scene.Problem
 import BlackHole.Scene.Scene
+import BlackHole.Spacetime.Observer
+import BlackHole.Spacetime.Types (Spacetime (..))
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ
 

@@ -5,13 +5,13 @@ module BlackHole.SelfTest.Kerr
   )
 where
 
-import BlackHole.Physics.Kerr.GasFlow
-import BlackHole.Physics.Kerr.Landmarks
-import BlackHole.Physics.Kerr.Path
-import BlackHole.Physics.Kerr.Shadow
-import BlackHole.Physics.Kerr.Sight
-import BlackHole.Physics.Kerr.ThinDisk
 import BlackHole.SelfTest.Check
+import BlackHole.Spacetime.Kerr.GasFlow
+import BlackHole.Spacetime.Kerr.Landmarks
+import BlackHole.Spacetime.Kerr.Path
+import BlackHole.Spacetime.Kerr.Shadow
+import BlackHole.Spacetime.Kerr.Sight
+import BlackHole.Spacetime.Kerr.ThinDisk
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ
 

@@ -9,20 +9,20 @@ module BlackHole.SelfTest.Physics
 where
 
 import BlackHole.Light.BlackBody (blackBodyChromaticity, secondRadiationConstant)
+import BlackHole.Matter.GasMotion (gasVelocity)
+import BlackHole.Matter.Redshift
+import BlackHole.Matter.ThinDisk (pageThorneFlux)
 import BlackHole.Noise.SipHash (SipKey (..), sipHash2)
-import BlackHole.Physics.Bisection (bisect)
-import BlackHole.Physics.Fate (Fate (..))
-import BlackHole.Physics.GasMotion (gasVelocity)
-import BlackHole.Physics.Leapfrog
-import BlackHole.Physics.LightPath
-import BlackHole.Physics.Observer
-import BlackHole.Physics.Orbit (OrbitFate (Escapes), deflectionAngle, orbit, orbitFate)
-import qualified BlackHole.Physics.Orbit as Orbit
-import BlackHole.Physics.Photon
-import BlackHole.Physics.Redshift
-import BlackHole.Physics.Spacetime (Spacetime (..))
-import BlackHole.Physics.ThinDisk (pageThorneFlux)
+import BlackHole.Numeric.Bisection (bisect)
 import BlackHole.SelfTest.Check
+import BlackHole.Spacetime.Fate (Fate (..))
+import BlackHole.Spacetime.LightPath
+import BlackHole.Spacetime.Observer
+import BlackHole.Spacetime.Photon
+import BlackHole.Spacetime.Schwarzschild.Leapfrog
+import BlackHole.Spacetime.Schwarzschild.Orbit (OrbitFate (Escapes), deflectionAngle, orbit, orbitFate)
+import qualified BlackHole.Spacetime.Schwarzschild.Orbit as Orbit
+import BlackHole.Spacetime.Types (Spacetime (..))
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Bits (popCount, xor)
@@ -190,7 +190,7 @@ aimedAt b = Photon (XYZ p 0 (sqrt (900 - p * p))) (XYZ 0 0 (negate speed))
 -- takes short steps.
 pathEnd :: StepRule -> Double -> Fate
 pathEnd rule b =
-  followedFate (followLeapfrog settings Schwarzschild emptyRegion (aimedAt b) (\() _ -> Onward ()) ())
+  followedFate (followLeapfrog settings Schwarzschild emptyRegion (aimedAt b) (\() _ -> Continue ()) ())
   where
     settings = defaultLeapfrog {leapfrogSteps = rule, leapfrogSkyRadius = 400}
 

@@ -6,9 +6,8 @@ module BlackHole.SelfTest.Picture
 where
 
 import BlackHole.Light.Radiance
-import BlackHole.Physics.Angle
-import BlackHole.Physics.Bisection (bisect)
-import BlackHole.Physics.Observer (Observer (Static))
+import BlackHole.Numeric.Angle
+import BlackHole.Numeric.Bisection (bisect)
 import BlackHole.Render.Film
 import BlackHole.Render.PixelArray (toPixelVector)
 import BlackHole.Render.Workers
@@ -17,6 +16,7 @@ import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Sky
 import BlackHole.SelfTest.Check
+import BlackHole.Spacetime.Observer (Observer (Static))
 import BlackHole.Trace.Pixel
 import BlackHole.Vector.XY (XY (..))
 import Data.Maybe (mapMaybe)
@@ -91,7 +91,7 @@ shadowScene r fieldOfView =
 workersCheck :: IO Check
 workersCheck = do
   one <- codes oneWorker
-  two <- maybe (pure []) codes (workers 2)
+  two <- maybe (pure []) codes (workersFromCount 2)
   let differing = length (filter id (zipWith (/=) one two)) + abs (length one - length two)
       value
         | null one = 0 / 0
@@ -99,8 +99,8 @@ workersCheck = do
   pure (Check "one worker or two, differing bytes" value 0 0)
   where
     scene = defaultScene {scenePicture = Picture 16 9, sceneSamples = 1}
-    codes crew = withWorkers crew $ do
-      exposed <- exposeFilm crew (const (pure ())) scene
+    codes workers = withWorkers workers $ do
+      exposed <- exposeFilm workers (const (pure ())) scene
       case exposed of
         Nothing -> pure []
-        Just film -> Vector.toList . toPixelVector <$> developFilm crew (sceneExposure scene) (sceneToneMap scene) (sceneDither scene) film
+        Just film -> Vector.toList . toPixelVector <$> developFilm workers (sceneExposure scene) (sceneToneMap scene) (sceneDither scene) film

@@ -17,13 +17,13 @@ where
 
 import BlackHole.Light.Display
 import BlackHole.Light.Radiance
-import BlackHole.Physics.Fate (Fate)
-import BlackHole.Physics.Kerr.Sight (LightRay (..))
-import BlackHole.Physics.LightPath
-import BlackHole.Physics.Observer (SightLine (..), sightFrequency)
-import BlackHole.Physics.Photon (angularMomentum)
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
+import BlackHole.Spacetime.Fate (Fate)
+import BlackHole.Spacetime.Kerr.Sight (LightRay (..))
+import BlackHole.Spacetime.LightPath
+import BlackHole.Spacetime.Observer (SightLine (..), sightFrequency)
+import BlackHole.Spacetime.Photon (angularMomentum)
 import BlackHole.Trace.Adaptive
 import BlackHole.Trace.Estimate
 import BlackHole.Trace.Gas
@@ -57,7 +57,7 @@ data Sighting = Sighting
     -- | Its direction in the observer's frame, of unit length; 'Nothing' outside a
     -- fisheye's circle.
     sightingDirection :: !(Maybe XYZ),
-    -- | 'Nothing' if no light arrives from outside ('BlackHole.Physics.Observer.sightLine').
+    -- | 'Nothing' if no light arrives from outside ('BlackHole.Spacetime.Observer.sightLine').
     sightingArrival :: !(Maybe Arrival),
     -- | The radiance seen along it, 'sightRadiance'.
     sightingRadiance :: !Radiance
@@ -174,9 +174,9 @@ counted :: Tracer -> XY -> SightLine -> Followed Counted
 counted traced point sight = followSight traced point sight count (Counted 0 nothingYet)
   where
     !shade = tracedGas traced sight
-    count (Counted n before) stretch = case shade before stretch of
-      Onward after -> Onward (Counted (n + added before after) after)
-      Hidden after -> Hidden (Counted (n + added before after) after)
+    count (Counted n before) segment = case shade before segment of
+      Continue after -> Continue (Counted (n + added before after) after)
+      Stop after -> Stop (Counted (n + added before after) after)
     added (Gathered light transmittance) (Gathered light' transmittance')
       | light == light' && transmittance == transmittance' = 0
       | otherwise = 1

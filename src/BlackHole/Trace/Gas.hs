@@ -21,17 +21,17 @@ import BlackHole.Light.BlackBodyTable (blackBodyRadiance)
 import qualified BlackHole.Light.BlackBodyTable as BlackBodyTable (Brightness (..))
 import BlackHole.Light.Display (decodeSrgb)
 import BlackHole.Light.Radiance
+import BlackHole.Matter.Redshift (gasFrequency)
+import BlackHole.Matter.ThinDisk (relativeTemperature)
 import BlackHole.Numeric.Exponential (exponential)
-import BlackHole.Physics.Kerr.GasFlow (Frequencies (..), GasFlow, gasFlow, gasFrequencies)
-import BlackHole.Physics.Kerr.Landmarks (horizonRadius)
-import BlackHole.Physics.Kerr.Sight (LightRay)
-import qualified BlackHole.Physics.Kerr.ThinDisk as Kerr
-import BlackHole.Physics.LightPath
-import BlackHole.Physics.Redshift (gasFrequency)
-import BlackHole.Physics.Spacetime (Spacetime (..))
-import BlackHole.Physics.ThinDisk (relativeTemperature)
 import BlackHole.Scene.Disk
 import BlackHole.Scene.Shifts
+import BlackHole.Spacetime.Kerr.GasFlow (Frequencies (..), GasFlow, gasFlow, gasFrequencies)
+import BlackHole.Spacetime.Kerr.Landmarks (horizonRadius)
+import BlackHole.Spacetime.Kerr.Sight (LightRay)
+import qualified BlackHole.Spacetime.Kerr.ThinDisk as Kerr
+import BlackHole.Spacetime.LightPath
+import BlackHole.Spacetime.Types (Spacetime (..))
 import BlackHole.Trace.GasField
 import BlackHole.Trace.Tabulated
 import BlackHole.Vector.XYZ (XYZ (..))
@@ -56,15 +56,15 @@ opaqueEnough :: Double
 opaqueEnough = 0.01
 
 -- | Whether to go on behind what has been gathered.
-onward :: Gathered -> Onward Gathered
+onward :: Gathered -> Continue Gathered
 onward gathered
-  | gatheredTransmittance gathered < opaqueEnough = Hidden gathered
-  | otherwise = Onward gathered
+  | gatheredTransmittance gathered < opaqueEnough = Stop gathered
+  | otherwise = Continue gathered
 {-# INLINE onward #-}
 
 -- | Pass through gas of optical depth @tau@ that would have the radiance
 -- @source@ if nothing could be seen through it. The closed form is exact for
--- uniform gas, so that thick stretches are as right as thin ones.
+-- uniform gas, so that thick segments are as right as thin ones.
 pass :: Double -> Radiance -> Gathered -> Gathered
 pass !tau !source (Gathered light transmittance) =
   Gathered (light <+> scaleRadiance (transmittance - transmittance') source) transmittance'
@@ -137,17 +137,17 @@ gasSeenFrom eye pixel samples g = g {gasDensity = seenFrom eye pixel samples (ga
 hottest :: Double
 hottest = 4
 
--- | @gatherGas gas observed@ adds the gas of one stretch, for light that an
+-- | @gatherGas gas observed@ adds the gas of one segment, for light that an
 -- observer sees at @observed@ times its frequency at infinity.
-gatherGas :: Gas -> Double -> Gathered -> Stretch -> Onward Gathered
-gatherGas g observed gathered stretch = onward (throughGas g Planar observed gathered stretch)
+gatherGas :: Gas -> Double -> Gathered -> PathSegment -> Continue Gathered
+gatherGas g observed gathered segment = onward (throughGas g Planar observed gathered segment)
 {-# INLINE gatherGas #-}
 
 -- | 'gatherGas' for a ray around a rotating hole.
-gatherGasAround :: Gas -> LightRay -> Double -> Gathered -> Stretch -> Onward Gathered
+gatherGasAround :: Gas -> LightRay -> Double -> Gathered -> PathSegment -> Continue Gathered
 gatherGasAround g ray = case gasAround g of
   Nothing -> gatherGas g
-  Just flow -> let !light = Around flow ray in \observed gathered stretch -> onward (throughGas g light observed gathered stretch)
+  Just flow -> let !light = Around flow ray in \observed gathered segment -> onward (throughGas g light observed gathered segment)
 {-# INLINE gatherGasAround #-}
 
 -- | What else than the segment decides the frequency of light in the gas: nothing on a
@@ -156,25 +156,25 @@ data Light = Planar | Around !GasFlow !LightRay
 
 -- A call of its own: inlined into the loop that follows a path, it would leave
 -- no register for either. The gas goes in as a pointer, for which 'lazy' stands.
-throughGas :: Gas -> Light -> Double -> Gathered -> Stretch -> Gathered
-throughGas prepared light !observed !gathered !stretch = case gasAt (gasDensity g) place r extent slant of
+throughGas :: Gas -> Light -> Double -> Gathered -> PathSegment -> Gathered
+throughGas prepared light !observed !gathered !segment = case gasAt (gasDensity g) place r extent slant of
   Here dense heat
     | dense < thinnest -> gathered
     | otherwise -> shining (gasExtinction g * dense) heat
   where
     g = lazy prepared
-    !place@(XYZ px py pz) = stretchMiddle stretch
+    !place@(XYZ px py pz) = segmentMiddle segment
     !r = XYZ.norm place
-    !velocity@(XYZ vx vy vz) = stretchVelocity stretch
-    -- Gas is drawn out along its orbits: what counts is how far the stretch goes
+    !velocity@(XYZ vx vy vz) = segmentVelocity segment
+    -- Gas is drawn out along its orbits: what counts is how far the segment goes
     -- across them, and a tenth of its length.
     !inward = abs (px * vx + py * vy + pz * vz) / r
-    !extent = stretchAffineLength stretch * (max inward (abs vy) + 0.1 * XYZ.norm velocity)
+    !extent = segmentAffineLength segment * (max inward (abs vy) + 0.1 * XYZ.norm velocity)
     !slant = min 8 (max 1 (0.7 * inward / (abs vy + 1e-9)))
     shining !opacity !heat = case gasGlow g of
       ByRadius brightness ->
         pass
-          (opacity * stretchLength stretch)
+          (opacity * segmentLength segment)
           (scaleRadiance brightness (hueRamp ((r - 1) / (gasOuter g - 1))))
           gathered
       ByTemperature temperatures table glow
@@ -186,12 +186,12 @@ throughGas prepared light !observed !gathered !stretch = case gasAt (gasDensity 
     -- The frequencies over that at infinity for the observer at rest beside the gas
     -- (around a rotating hole, the one without angular momentum), and for the gas.
     glowing !heat !opacity !temperatures !table glow !static !emitted =
-      let -- The length of the stretch in the gas's own frame, where its
+      let -- The length of the segment in the gas's own frame, where its
           -- opacity is meant: ν_em times the affine length. Without the
           -- Doppler shift that gas is thought at rest.
           Shifts doppler gravity = gasShifts g
           !frequency = if doppler then emitted else static
-          !tau = opacity * frequency * stretchAffineLength stretch
+          !tau = opacity * frequency * segmentAffineLength segment
           !shift = (if gravity then observed / static else 1) * (if doppler then static / emitted else 1)
           !warmth = if heat == 0 then 1 else exponential heat
           !temperature = warmth * shift * valueAt temperatures (rowAt temperatures r) 0
@@ -216,11 +216,11 @@ hueRamp t = Radiance 1 (decodeSrgb green) (decodeSrgb 0.2)
 
 -- | Alternating blue and green blocks of one Schwarzschild radius, as thick as
 -- the disk; everything behind them is hidden.
-gatherParity :: Disk -> Gathered -> Stretch -> Onward Gathered
-gatherParity disk gathered stretch
-  | abs y > diskThickness disk || r > diskOuterRadius disk = Onward gathered
+gatherParity :: Disk -> Gathered -> PathSegment -> Continue Gathered
+gatherParity disk gathered segment
+  | abs y > diskThickness disk || r > diskOuterRadius disk = Continue gathered
   | otherwise = onward (pass 10 (if even blocks then Radiance 0 0 1 else Radiance 0 1 0) gathered)
   where
-    place@(XYZ x y z) = stretchMiddle stretch
+    place@(XYZ x y z) = segmentMiddle segment
     r = XYZ.norm place
     blocks = round x + round y + round z :: Int

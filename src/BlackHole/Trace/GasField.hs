@@ -32,19 +32,19 @@ module BlackHole.Trace.GasField
   )
 where
 
+import BlackHole.Matter.GasMotion (keplerianRate)
+import BlackHole.Noise.CachedNoise (CachedNoise, cacheNoise, cachedPerlin3)
 import BlackHole.Noise.Lattice (clampedLevel)
 import BlackHole.Noise.Profile (normalised, octaves)
-import BlackHole.Noise.Remembered (Remembered, remember, rememberedPerlin3)
 import BlackHole.Noise.Sheets
+import BlackHole.Numeric.Angle (arcTangent2)
 import BlackHole.Numeric.Exponential (exponential, sineOfTurns)
 import BlackHole.Numeric.Floor (turnFraction)
-import BlackHole.Physics.Angle (arcTangent2)
-import BlackHole.Physics.GasMotion (keplerianRate)
-import BlackHole.Physics.Kerr.GasFlow (gasFlow, orbitalRate)
-import BlackHole.Physics.Kerr.Landmarks (Handedness (RightHanded), iscoRadius)
-import BlackHole.Physics.LightPath (halfHeightAt, regionInnerRadius)
-import BlackHole.Physics.Spacetime (Spacetime (..))
 import BlackHole.Scene.Disk
+import BlackHole.Spacetime.Kerr.GasFlow (gasFlow, orbitalRate)
+import BlackHole.Spacetime.Kerr.Landmarks (Handedness (RightHanded), iscoRadius)
+import BlackHole.Spacetime.LightPath (halfHeightAt, regionInnerRadius)
+import BlackHole.Spacetime.Types (Spacetime (..))
 import BlackHole.Trace.Seeds
 import BlackHole.Trace.Tabulated
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
@@ -68,7 +68,7 @@ data GasField = GasField
     fieldArmTurns :: {-# UNPACK #-} !Double,
     fieldArmCosine :: {-# UNPACK #-} !Double,
     fieldArmSine :: {-# UNPACK #-} !Double,
-    fieldDisplacement :: !Remembered,
+    fieldDisplacement :: !CachedNoise,
     fieldTurbulence :: {-# UNPACK #-} !Double,
     fieldFrequency :: {-# UNPACK #-} !Double,
     fieldTrail :: {-# UNPACK #-} !Double,
@@ -94,7 +94,7 @@ data GasField = GasField
     fieldEye :: !XYZ,
     -- | The angle of a pixel, in radians.
     fieldPixel :: {-# UNPACK #-} !Double,
-    -- | The part of a stretch that has to be resolved: the samples of a pixel
+    -- | The part of a segment that has to be resolved: the samples of a pixel
     -- share the work.
     fieldShare :: {-# UNPACK #-} !Double
   }
@@ -125,7 +125,7 @@ gasField space seed disk eye pixel samples =
       fieldArmCosine = cos armTurn,
       fieldArmSine = sin armTurn,
       fieldDisplacement =
-        remember
+        cacheNoise
           tablePoints
           (purposeSeed seed ArmDisplacement)
           (normalised (octaves (clampedLevel 28) (diskArmNoiseOctaves disk) 0.5))
@@ -270,7 +270,8 @@ gasAt field place@(XYZ x y z) !r !len !slant
         !heat
           | fieldHeat field == 0 = 0
           | otherwise = fieldHeat field * (swirl + armFluctuation (fieldArmDepth field) wave) - valueAt (fieldDetail field) resolved 2 - fieldArmHeat field
-     in Here (dense + thin) (heat * (dense / (dense + thin + 1e-300)))
+     in -- A literal below 1e-99 would be computed anew each time, on the heap (GHC 9.2 and later).
+        Here (dense + thin) (heat * (dense / (dense + thin + 1e-99)))
   where
     row = rowAt (fieldRadial field) r
     profile = valueAt (fieldRadial field) row 0
@@ -299,7 +300,7 @@ logDensity field place r len = case gasAt field place r len 1 of
 -- with the arms.
 displacement :: GasField -> XYZ -> Double
 displacement field (XYZ x y z) =
-  rememberedPerlin3 (fieldDisplacement field) 64 (armPlace (fieldArmScale field) (XYZ (c * x - s * z) y (s * x + c * z)))
+  cachedPerlin3 (fieldDisplacement field) 64 (armPlace (fieldArmScale field) (XYZ (c * x - s * z) y (s * x + c * z)))
   where
     c = fieldArmCosine field
     s = fieldArmSine field

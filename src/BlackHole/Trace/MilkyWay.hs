@@ -7,19 +7,19 @@ module BlackHole.Trace.MilkyWay
 where
 
 import BlackHole.Light.Radiance
+import BlackHole.Noise.CachedNoise
 import BlackHole.Noise.Lattice (unitLevel)
 import BlackHole.Noise.PerlinG (Seed (..))
 import BlackHole.Noise.Profile (normalised, octaves)
-import BlackHole.Noise.Remembered
+import BlackHole.Trace.EnvironmentMap
 import BlackHole.Trace.Galaxy (toGalactic)
-import BlackHole.Trace.SkyImage
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
 
 -- | The band as an image of the sky, with radiance 1 where it is brightest. Clouds and
 -- dust are noise on the sphere, the dust finer and closer to the middle of the band; a
 -- bulge surrounds the galactic centre.
-milkyWay :: Seed -> SkyImage
-milkyWay (Seed seed) = skyImageFromDirections milkyWayRings (light . toGalactic)
+milkyWay :: Seed -> EnvironmentMap
+milkyWay (Seed seed) = environmentMapFromDirections milkyWayRings (light . toGalactic)
   where
     light d@(XYZ c _ p)
       -- Less than a thousandth of the halo's light would come of more care.
@@ -47,13 +47,13 @@ milkyWay (Seed seed) = skyImageFromDirections milkyWayRings (light . toGalactic)
     halo p = 0.035 * exp (negate (abs p / 0.4))
     -- Dust takes more of the blue light than of the red one.
     reddened depth (Radiance r g b) = Radiance (r * exp (-(0.8 * depth))) (g * exp (-depth)) (b * exp (-(1.25 * depth)))
-    perlin noise = rememberedPerlin3 noise 9
+    perlin noise = cachedPerlin3 noise 9
     clouds = table 0 3 cloudMiddle 3.1
     dust = table 1 4 dustMiddle 5.3
     patches = table 2 3 patchMiddle 4.1
     -- For the ball that is asked for.
     table n count (XYZ x y z) radius =
-      remember 100000 (Seed (seed + n)) (normalised (octaves unitLevel count 0.55)) (XYZ (x - radius) (y - radius) (z - radius)) (XYZ (x + radius) (y + radius) (z + radius))
+      cacheNoise 100000 (Seed (seed + n)) (normalised (octaves unitLevel count 0.55)) (XYZ (x - radius) (y - radius) (z - radius)) (XYZ (x + radius) (y + radius) (z + radius))
     cloudMiddle = offset 3.37
     dustMiddle = offset 1.71
     patchMiddle = offset 7.13

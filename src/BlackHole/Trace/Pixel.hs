@@ -7,7 +7,7 @@
 module BlackHole.Trace.Pixel
   ( Tracer,
     tracer,
-    tracerUnder,
+    tracerWithSky,
     tracerAfter,
     tracerTables,
     addSamples,
@@ -30,7 +30,7 @@ module BlackHole.Trace.Pixel
     pixelSky,
     sharingRadiance,
     sharedSky,
-    tracedBeam,
+    tracedDifferential,
     followSight,
   )
 where
@@ -38,29 +38,29 @@ where
 import BlackHole.Light.Display (Exposure (..))
 import BlackHole.Light.Radiance
 import BlackHole.Numeric.Floor (turnFraction)
-import BlackHole.Physics.ExactPath
-import BlackHole.Physics.Fate
-import BlackHole.Physics.Kerr.Follow
-import BlackHole.Physics.Kerr.Radial (photonOrbitOffset)
-import BlackHole.Physics.Kerr.Sight (LightRay (rayRadius))
-import BlackHole.Physics.Leapfrog
-import BlackHole.Physics.LensBeam
-import BlackHole.Physics.LensTable
-import BlackHole.Physics.LightPath
-import BlackHole.Physics.Observer
-import BlackHole.Physics.Spacetime (Spacetime (..))
-import BlackHole.Physics.SweptPath
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Disk (Disk)
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Shifts (SkyShift, noSkyShift, skyShift, skyShiftAt)
-import BlackHole.Trace.Beam
+import BlackHole.Spacetime.Fate
+import BlackHole.Spacetime.Kerr.Follow
+import BlackHole.Spacetime.Kerr.Radial (photonOrbitOffset)
+import BlackHole.Spacetime.Kerr.Sight (LightRay (rayRadius))
+import BlackHole.Spacetime.LightPath
+import BlackHole.Spacetime.Observer
+import BlackHole.Spacetime.Schwarzschild.ExactPath
+import BlackHole.Spacetime.Schwarzschild.Leapfrog
+import BlackHole.Spacetime.Schwarzschild.LensDifferential
+import BlackHole.Spacetime.Schwarzschild.LensTable
+import BlackHole.Spacetime.Schwarzschild.TablePath
+import BlackHole.Spacetime.Types (Spacetime (..))
+import BlackHole.Trace.EnvironmentMap (EnvironmentMap)
 import BlackHole.Trace.Estimate
 import BlackHole.Trace.Gas
 import BlackHole.Trace.Grid
+import BlackHole.Trace.RayDifferential
 import BlackHole.Trace.Sampling
 import BlackHole.Trace.Sky
-import BlackHole.Trace.SkyImage (SkyImage)
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ, (*^), (^-^))
 import qualified BlackHole.Vector.XYZ as XYZ
@@ -92,14 +92,14 @@ data Matter
 
 -- | Prepares a scene. 'Nothing' if its camera has no direction of view ('cameraFrame'),
 -- which no validated scene has, or if its sky is an environment map, which needs
--- 'tracerUnder'.
+-- 'tracerWithSky'.
 tracer :: Scene -> Maybe Tracer
-tracer = tracerUnder Nothing
+tracer = tracerWithSky Nothing
 
 -- | Prepares a scene together with its environment map, if it has one
 -- ('neededPicture').
-tracerUnder :: Maybe SkyImage -> Scene -> Maybe Tracer
-tracerUnder picture scene = do
+tracerWithSky :: Maybe EnvironmentMap -> Scene -> Maybe Tracer
+tracerWithSky picture scene = do
   frame <- cameraFrame (sceneCamera scene)
   sky <- shader
   pure
@@ -130,14 +130,14 @@ tracerUnder picture scene = do
         | sceneDebugTextures scene -> Checks disk
         | otherwise -> Gaseous (gas (sceneSpacetime scene) seed (sceneShifts scene) disk place (pixelAngle (sceneProjection scene) (sceneCamera scene) (scenePicture scene)) (sceneSamples scene))
 
--- | @tracerAfter earlier picture scene@ is 'tracerUnder', but takes over those parts of
+-- | @tracerAfter earlier picture scene@ is 'tracerWithSky', but takes over those parts of
 -- an earlier tracer that are equal for this scene: the tables of the gas, of the light
 -- paths through the camera's position, and of the sky. The table of light paths is also
 -- taken over if the distance from the hole differs by rounding alone, so that radiance
--- may differ by rounding from that of 'tracerUnder'. The environment map must be the one
+-- may differ by rounding from that of 'tracerWithSky'. The environment map must be the one
 -- that the earlier tracer was made with if both scenes name the same file.
-tracerAfter :: Tracer -> Maybe SkyImage -> Scene -> Maybe Tracer
-tracerAfter earlier picture scene = reusing <$> tracerUnder picture scene
+tracerAfter :: Tracer -> Maybe EnvironmentMap -> Scene -> Maybe Tracer
+tracerAfter earlier picture scene = reusing <$> tracerWithSky picture scene
   where
     before = tracerScene earlier
     same :: Eq a => (Scene -> a) -> Bool
@@ -169,11 +169,11 @@ tracerTables traced =
 -- | Follows a line of sight by the scene's integrator and passes the segments that may
 -- contain gas to the gathering function. The line of sight must be the one through this
 -- point of the picture.
-followSight :: Tracer -> XY -> SightLine -> (a -> Stretch -> Onward a) -> a -> Followed a
+followSight :: Tracer -> XY -> SightLine -> (a -> PathSegment -> Continue a) -> a -> Followed a
 followSight traced point sight = case sight of
   RotatingSight hole azimuth ray -> followKerr hole region (stepPhase point) azimuth ray
   SightLine photon _ -> case sceneIntegrator scene of
-    Tabulated -> followSwept space (tracerTable traced) region (stepPhase point) photon
+    Tabulated -> followTable space (tracerTable traced) region (stepPhase point) photon
     Exact -> followExact space region photon
     Leapfrogging -> followLeapfrog (sceneLeapfrog scene) space region photon
   where
@@ -186,7 +186,7 @@ followLight :: Tracer -> XY -> SightLine -> Followed Gathered
 followLight traced point sight = case (sight, sceneIntegrator scene, tracerMatter traced) of
   -- The two cases compiled into loops of their own.
   (SightLine photon observed, Tabulated, Gaseous glowing) ->
-    followSwept
+    followTable
       (sceneSpacetime scene)
       (tracerTable traced)
       (tracerRegion traced)
@@ -197,7 +197,7 @@ followLight traced point sight = case (sight, sceneIntegrator scene, tracerMatte
   (RotatingSight hole azimuth ray, _, Gaseous glowing) ->
     followKerr hole (tracerRegion traced) (stepPhase point) azimuth ray (gatherGasAround glowing ray (sightFrequency sight)) nothingYet
   (SightLine photon _, Tabulated, Vacuum) ->
-    Followed (sweptFate (sceneSpacetime scene) (tracerTable traced) photon) nothingYet 0
+    Followed (tableFate (sceneSpacetime scene) (tracerTable traced) photon) nothingYet 0
   _ -> followSight traced point sight (tracedGas traced sight) nothingYet
   where
     scene = tracerScene traced
@@ -301,7 +301,7 @@ sharedSky traced shared point sight fate = case fate of
 data SkyPatch
   = SkyPatch
       {-# UNPACK #-} !XY
-      {-# UNPACK #-} !Beam
+      {-# UNPACK #-} !RayDifferential
       {-# UNPACK #-} !Double
       {-# UNPACK #-} !Radiance
 
@@ -311,21 +311,21 @@ data SkyPatch
 -- light arrives from the sky.
 pixelSky :: Tracer -> Int -> Int -> Maybe SkyPatch
 pixelSky traced column row = case tracerSky traced of
-  ByBeam shader | mostSamples (tracerScene traced) > 1 -> do
+  ByDifferential shader | mostSamples (tracerScene traced) > 1 -> do
     let point = XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)
     sight <- tracedSight traced point
     direction <- escapeDirection traced point sight
-    beam <- tracedBeam traced point sight direction
-    let area = beamSolidAngle beam
-        breadth = XYZ.dot (beamAlongX beam) (beamAlongX beam) + XYZ.dot (beamAlongY beam) (beamAlongY beam)
-    pure (SkyPatch point beam (0.01 * area * area / breadth) (shader (skyShift (tracerSkyShift traced) (sightFrequency sight)) beam))
+    differential <- tracedDifferential traced point sight direction
+    let area = differentialSolidAngle differential
+        breadth = XYZ.dot (differentialAlongX differential) (differentialAlongX differential) + XYZ.dot (differentialAlongY differential) (differentialAlongY differential)
+    pure (SkyPatch point differential (0.01 * area * area / breadth) (shader (skyShift (tracerSkyShift traced) (sightFrequency sight)) differential))
   _ -> Nothing
 
 -- | A patch's light for a line of sight through a point of the picture that escapes in
 -- this direction. 'Nothing' if the direction is farther from the beam's prediction than
 -- a tenth of the beam's width, as beside a critical curve and at the edge of the shadow.
 patchRadiance :: SkyPatch -> XY -> XYZ -> Maybe Radiance
-patchRadiance (SkyPatch (XY x0 y0) (Beam d a b) slack light) (XY x y) direction
+patchRadiance (SkyPatch (XY x0 y0) (RayDifferential d a b) slack light) (XY x y) direction
   | XYZ.dot miss miss <= slack = Just light
   | otherwise = Nothing
   where
@@ -347,9 +347,9 @@ tracedSight :: Tracer -> XY -> Maybe SightLine
 tracedSight traced point = sightDirection (tracerPlane traced) point >>= sightFrom (tracerEye traced)
 
 -- | The contribution of a segment of the scene's gas along a line of sight.
-tracedGas :: Tracer -> SightLine -> Gathered -> Stretch -> Onward Gathered
+tracedGas :: Tracer -> SightLine -> Gathered -> PathSegment -> Continue Gathered
 tracedGas traced sight = case tracerMatter traced of
-  Vacuum -> \gathered _ -> Onward gathered
+  Vacuum -> \gathered _ -> Continue gathered
   Checks disk -> gatherParity disk
   Gaseous glowing -> case sight of
     SightLine _ observed -> gatherGas glowing observed
@@ -363,7 +363,7 @@ tracedSky prepared point sight fate = case fate of
     let !shift = skyShift (tracerSkyShift traced) (sightFrequency sight)
      in case tracerSky traced of
           ByDirection shader -> shader shift direction
-          ByBeam shader -> maybe black (shader shift) (tracedBeam traced point sight direction)
+          ByDifferential shader -> maybe black (shader shift) (tracedDifferential traced point sight direction)
   Captured -> black
   Opaque -> black
   StepLimit -> black
@@ -375,19 +375,19 @@ tracedSky prepared point sight fate = case fate of
 -- through it and the direction of escape. Uses the table of paths or, where that has no
 -- answer, the paths through points beside it. 'Nothing' if no light arrives from the
 -- sky.
-tracedBeam :: Tracer -> XY -> SightLine -> XYZ -> Maybe Beam
-tracedBeam prepared point sight direction = case (sceneSpacetime (tracerScene traced), sight) of
+tracedDifferential :: Tracer -> XY -> SightLine -> XYZ -> Maybe RayDifferential
+tracedDifferential prepared point sight direction = case (sceneSpacetime (tracerScene traced), sight) of
   (Schwarzschild, SightLine photon _)
     | Just (SightLine beside _) <- sightAt (XY step 0),
       Just (SightLine below _) <- sightAt (XY 0 step),
       Just (LensChanges alongX alongY) <- lensChanges (tracerTable traced) photon direction beside below ->
-      Just (Beam direction ((1 / step) *^ alongX) ((1 / step) *^ alongY))
+      Just (RayDifferential direction ((1 / step) *^ alongX) ((1 / step) *^ alongY))
   -- Two evaluations, where the general way takes three.
   (_, RotatingSight {})
     | Just beside <- escape (XY step 0),
       Just below <- escape (XY 0 step) ->
-      Just (Beam direction ((1 / step) *^ (beside ^-^ direction)) ((1 / step) *^ (below ^-^ direction)))
-  _ -> beamByDifferences escape (XY 0 0)
+      Just (RayDifferential direction ((1 / step) *^ (beside ^-^ direction)) ((1 / step) *^ (below ^-^ direction)))
+  _ -> differentialByDifferences escape (XY 0 0)
   where
     -- As in 'sharingRadiance'.
     traced = lazy prepared
@@ -404,9 +404,9 @@ escapeDirection traced point sight = case fate of
   _ -> Nothing
   where
     fate = case sight of
-      SightLine photon _ | sceneIntegrator (tracerScene traced) == Tabulated -> sweptFate (sceneSpacetime (tracerScene traced)) (tracerTable traced) photon
+      SightLine photon _ | sceneIntegrator (tracerScene traced) == Tabulated -> tableFate (sceneSpacetime (tracerScene traced)) (tracerTable traced) photon
       RotatingSight hole azimuth ray -> kerrEnd hole azimuth ray
-      _ -> followedFate (followSight traced {tracerRegion = emptyRegion} point sight (\() _ -> Onward ()) ())
+      _ -> followedFate (followSight traced {tracerRegion = emptyRegion} point sight (\() _ -> Continue ()) ())
 
 -- | The edge of the shadow where it passes through or beside a pixel: the unit vector
 -- across it and out of the shadow, and by how much 'criticalOffset' shrinks per pixel

@@ -9,19 +9,19 @@ module BlackHole.Trace.PixelGeometry
   )
 where
 
-import BlackHole.Physics.Kerr.GasFlow
-import BlackHole.Physics.Kerr.Landmarks (Spin)
-import BlackHole.Physics.Kerr.Path
-import BlackHole.Physics.Kerr.Sight (LightRay (..))
-import BlackHole.Physics.LensTable
-import BlackHole.Physics.Observer
-import BlackHole.Physics.Photon
-import BlackHole.Physics.Redshift
-import BlackHole.Physics.Spacetime
-import BlackHole.Physics.Sweep
+import BlackHole.Matter.Redshift
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Disk
 import BlackHole.Scene.Scene
+import BlackHole.Spacetime.Kerr.GasFlow
+import BlackHole.Spacetime.Kerr.Landmarks (Spin)
+import BlackHole.Spacetime.Kerr.Path
+import BlackHole.Spacetime.Kerr.Sight (LightRay (..))
+import BlackHole.Spacetime.Observer
+import BlackHole.Spacetime.Photon
+import BlackHole.Spacetime.Schwarzschild.LensTable
+import BlackHole.Spacetime.Schwarzschild.OrbitSeries
+import BlackHole.Spacetime.Types
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^), (^-^))
 import qualified BlackHole.Vector.XYZ as XYZ
@@ -30,7 +30,7 @@ import Data.Maybe (fromMaybe, listToMaybe, mapMaybe)
 -- | The geometry of one line of sight.
 data PixelGeometry = PixelGeometry
   { -- | The deflection in radians of the path from the sky, as defined by
-    -- 'BlackHole.Physics.Course.courseDeflection': 0 without gravity, above 2π for
+    -- 'BlackHole.Spacetime.Schwarzschild.Trajectory.courseDeflection': 0 without gravity, above 2π for
     -- light that went all around the hole. 'Nothing' for a path that does not come from
     -- the sky. Gas that hides the sky makes no difference.
     geometryDeflection :: !(Maybe Double),
@@ -71,8 +71,8 @@ pixelGeometry scene = at <$> cameraFrame (sceneCamera scene)
     along (RotatingSight hole azimuth ray) = rotatingGeometry scene hole azimuth ray
     along (SightLine (Photon _ velocity) observed) =
       PixelGeometry
-        { geometryDeflection = case sweepEnd sweep of
-            Leaves _ _ -> Just (sweepAngle sweep - straight)
+        { geometryDeflection = case seriesEnd series of
+            Leaves _ _ -> Just (seriesAngle series - straight)
             _ -> Nothing,
           geometryDiskHit = sceneDisk scene >>= \disk -> listToMaybe (mapMaybe (hit disk) crossings)
         }
@@ -85,16 +85,16 @@ pixelGeometry scene = at <$> cameraFrame (sceneCamera scene)
         !onward = fromMaybe (XYZ.perpendicular outset) (XYZ.normalize across)
         straight = atan2 tangential radial
         !b = r * tangential
-        (!sweep, !pull) = case sceneSpacetime scene of
-          Flat -> (lineSweep (1 / r) (negate radial / b), 0)
-          _ -> (lensSweep table radial tangential, 1.5)
-        !spacing = sweepSpacing sweep
+        (!series, !pull) = case sceneSpacetime scene of
+          Flat -> (lineSeries (1 / r) (negate radial / b), 0)
+          _ -> (lensSeries table radial tangential, 1.5)
+        !spacing = seriesSpacing series
         !(XYZ _ height1 _) = outset
         !(XYZ _ height2 _) = onward
         -- The height is r (height1 cos φ + height2 sin φ).
         crossings
           | max (abs height1) (abs height2) <= 1e-12 = []
-          | otherwise = takeWhile (< sweepAngle sweep) (take 1000 (iterate (+ pi) firstCrossing))
+          | otherwise = takeWhile (< seriesAngle series) (take 1000 (iterate (+ pi) firstCrossing))
         firstCrossing =
           let angle = atan2 (negate height1) height2
               upward = if angle < 0 then angle + pi else angle
@@ -105,8 +105,8 @@ pixelGeometry scene = at <$> cameraFrame (sceneCamera scene)
             pure (DiskHit radius (redshiftGravitational shift * redshiftDoppler shift))
           | otherwise = Nothing
           where
-            cell = max 0 (min (sweepCells sweep - 1) (truncate (angle / spacing)))
-            (u0, slope0) = waypoint (sweepWaypoints sweep) spacing cell
+            cell = max 0 (min (seriesCells series - 1) (truncate (angle / spacing)))
+            (u0, slope0) = waypoint (seriesWaypoints series) spacing cell
             path = expand pull u0 slope0
             offset = angle - (fromIntegral cell + 0.5) * spacing
             u = expansionValue path offset
@@ -122,7 +122,7 @@ rotatingGeometry :: Scene -> Spin -> Azimuth -> LightRay -> PixelGeometry
 rotatingGeometry scene hole azimuth ray =
   PixelGeometry
     { geometryDeflection = case kerrFate path of
-        Escapes _ -> subtract (kerrStraightSweep ray) <$> kerrSweep path
+        Escapes _ -> subtract (kerrStraightAngle ray) <$> kerrSweptAngle path
         _ -> Nothing,
       geometryDiskHit = sceneDisk scene >>= \disk -> listToMaybe (mapMaybe (hit disk) (kerrPlanePoints path))
     }

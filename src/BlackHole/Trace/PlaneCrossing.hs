@@ -6,19 +6,19 @@ module BlackHole.Trace.PlaneCrossing
   )
 where
 
-import BlackHole.Physics.Course (CoursePoint (..), courseFromPhoton, coursePlanePoints)
-import BlackHole.Physics.ExactPath (straightImpact)
-import BlackHole.Physics.Kerr.GasFlow
-import BlackHole.Physics.Kerr.Landmarks (Spin)
-import BlackHole.Physics.Kerr.Path
-import BlackHole.Physics.Kerr.Sight (LightRay (..))
-import BlackHole.Physics.Leapfrog (followLeapfrog)
-import BlackHole.Physics.LightPath
-import BlackHole.Physics.Observer (SightLine (..))
-import BlackHole.Physics.Photon
-import BlackHole.Physics.Redshift (RedshiftParts (..), gasRedshift)
-import BlackHole.Physics.Spacetime (Spacetime (..))
+import BlackHole.Matter.Redshift (RedshiftParts (..), gasRedshift)
 import BlackHole.Scene.Scene
+import BlackHole.Spacetime.Kerr.GasFlow
+import BlackHole.Spacetime.Kerr.Landmarks (Spin)
+import BlackHole.Spacetime.Kerr.Path
+import BlackHole.Spacetime.Kerr.Sight (LightRay (..))
+import BlackHole.Spacetime.LightPath
+import BlackHole.Spacetime.Observer (SightLine (..))
+import BlackHole.Spacetime.Photon
+import BlackHole.Spacetime.Schwarzschild.ExactPath (straightImpact)
+import BlackHole.Spacetime.Schwarzschild.Leapfrog (followLeapfrog)
+import BlackHole.Spacetime.Schwarzschild.Trajectory (TrajectoryPoint (..), trajectoryFromPhoton, trajectoryPlanePoints)
+import BlackHole.Spacetime.Types (Spacetime (..))
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
 import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Maybe (maybeToList)
@@ -48,7 +48,7 @@ planeCrossings scene sight = case sight of
     map (crossingAt observed) $ case (sceneIntegrator scene, sceneSpacetime scene) of
       (Leapfrogging, _) -> leapfrogCrossings scene photon
       (_, Flat) -> maybeToList (straightCrossing photon)
-      _ -> map pointPhoton (coursePlanePoints (courseFromPhoton observed photon))
+      _ -> map pointPhoton (trajectoryPlanePoints (trajectoryFromPhoton observed photon))
 
 -- | A crossing around a rotating hole. Gravity's part of the shift is that of gas without
 -- angular momentum, which turns with space.
@@ -89,10 +89,10 @@ leapfrogCrossings scene start =
   reverse (snd (followedState (followLeapfrog (sceneLeapfrog scene) (sceneSpacetime scene) everywhere start gather (start, []))))
   where
     everywhere = Region (1 / 0) 0 (1 / 0) 0 1 1 1
-    gather (before, found) stretch =
-      Onward (here, [between y0 y1 before here | y0 * y1 < 0 || (y1 == 0 && y0 /= 0)] ++ found)
+    gather (before, found) segment =
+      Continue (here, [between y0 y1 before here | y0 * y1 < 0 || (y1 == 0 && y0 /= 0)] ++ found)
       where
-        here = Photon (stretchMiddle stretch) (stretchVelocity stretch)
+        here = Photon (segmentMiddle segment) (segmentVelocity segment)
         XYZ _ y0 _ = photonPosition before
         XYZ _ y1 _ = photonPosition here
     between y0 y1 (Photon x0 v0) (Photon x1 v1) =

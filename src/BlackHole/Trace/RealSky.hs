@@ -2,7 +2,7 @@
 -- light of the Milky Way that they leave out.
 --
 -- @data\/sky\/README.md@ says where both come from, what was done to them, and how the
--- files are coded. Stars and map share one frame, that of "BlackHole.Trace.SkyImage"
+-- files are coded. Stars and map share one frame, that of "BlackHole.Trace.EnvironmentMap"
 -- with the galactic centre in the middle of the picture and the north galactic pole
 -- at its upper edge; 'toRealSky' turns directions of the scene into it.
 --
@@ -22,9 +22,9 @@ where
 
 import BlackHole.Light.BlackBodyTable (tabulatedColour)
 import BlackHole.Light.Radiance
+import BlackHole.Trace.EnvironmentMap
 import BlackHole.Trace.Galaxy
 import BlackHole.Trace.SkyFiles
-import BlackHole.Trace.SkyImage
 import BlackHole.Trace.StarCatalogue
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ
@@ -39,7 +39,7 @@ realStars = decodeStars starBytes
 
 -- | The diffuse light: radiance in fluxes of magnitude 0 per steradian. Decoded at
 -- the first use.
-realMilkyWay :: Maybe SkyImage
+realMilkyWay :: Maybe EnvironmentMap
 realMilkyWay = decodeMilkyWay milkyWayBytes
 {-# NOINLINE realMilkyWay #-}
 
@@ -120,8 +120,8 @@ sumOf (coarse, fine) n = Unit (c * c' - s * s') (s * c' + c * s')
 
 -- | Decode the map of diffuse light: 720 by 360 brightnesses, then 180 by 90 colours.
 -- Missing bytes count as 0.
-decodeMilkyWay :: Bytes.ByteString -> Maybe SkyImage
-decodeMilkyWay bytes = skyImageFromPixels width height $ \i j ->
+decodeMilkyWay :: Bytes.ByteString -> Maybe EnvironmentMap
+decodeMilkyWay bytes = environmentMapFromPixels width height $ \i j ->
   scaleRadiance (U.unsafeIndex brightnesses (byte (width * j + i))) (colourAt i j)
   where
     width = 720

@@ -15,15 +15,15 @@ import BlackHole.Noise.Lattice (unitLevel)
 import BlackHole.Noise.PerlinG (noise3)
 import BlackHole.Noise.Profile (normalised, octaves)
 import BlackHole.Noise.Threshold (perlin3Above)
-import BlackHole.Physics.Angle
+import BlackHole.Numeric.Angle
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Sky
-import BlackHole.Trace.Beam (Beam (..))
+import BlackHole.Trace.EnvironmentMap
 import BlackHole.Trace.Grid
 import BlackHole.Trace.MilkyWay
+import BlackHole.Trace.RayDifferential (RayDifferential (..))
 import BlackHole.Trace.RealSky
 import BlackHole.Trace.Seeds
-import BlackHole.Trace.SkyImage
 import BlackHole.Trace.StarCatalogue
 import BlackHole.Trace.StarField
 import BlackHole.Vector.XYZ (XYZ, (*^))
@@ -34,7 +34,7 @@ import Data.Word (Word64)
 -- where the sky has details finer than a pixel.
 data SkyShader
   = ByDirection !(Double -> XYZ -> Radiance)
-  | ByBeam !(Double -> Beam -> Radiance)
+  | ByDifferential !(Double -> RayDifferential -> Radiance)
 
 -- | The light of a sky, given the scene's seed. A star is a black body and changes its
 -- colour with g; light of unknown spectrum keeps its colour. Either way the intensity
@@ -42,12 +42,12 @@ data SkyShader
 --
 -- The image of an environment map must be given. 'Nothing' if the sky is one and the
 -- image is missing.
-skyShader :: Maybe SkyImage -> Word64 -> Sky -> Maybe SkyShader
+skyShader :: Maybe EnvironmentMap -> Word64 -> Sky -> Maybe SkyShader
 skyShader picture seed sky = case sky of
   SkyPanorama panorama -> panoramaShader panorama <$> picture
   SkyNoise stars -> Just (ByDirection (starRadiance seed stars))
-  SkyStars settings -> ByBeam . realSkyRadiance settings <$> realMilkyWay
-  SkyRandomStars stars -> Just (ByBeam (pointStarRadiance seed stars))
+  SkyStars settings -> ByDifferential . realSkyRadiance settings <$> realMilkyWay
+  SkyRandomStars stars -> Just (ByDifferential (pointStarRadiance seed stars))
   SkyGrid -> Just (ByDirection (\g direction -> scaleRadiance (g * g * (g * g)) (gridRadiance direction)))
   SkyUniform v -> Just (ByDirection (\g _ -> grey (v * g ^ (4 :: Int))))
   SkyNone -> Just (ByDirection (\_ _ -> black))
@@ -60,18 +60,18 @@ neededPicture scene = case sceneSky scene of
 
 -- | The real stars before the real Milky Way, whose light has about the colour of one
 -- black body and takes on that of another for an observer who sees it shifted.
-realSkyRadiance :: RealSky -> SkyImage -> Double -> Beam -> Radiance
+realSkyRadiance :: RealSky -> EnvironmentMap -> Double -> RayDifferential -> Radiance
 realSkyRadiance settings milkyWayImage =
-  stars `seq` milkyWayImage `seq` \g beam ->
-    let turnedBeam = turn beam
-     in scaleRadiance gain (starFieldRadiance stars g turnedBeam)
-          <+> scaleRadiance (diffuse * (g * g * (g * g))) (tint g (skyImageRadiance milkyWayImage turnedBeam))
+  stars `seq` milkyWayImage `seq` \g differential ->
+    let turnedDifferential = turn differential
+     in scaleRadiance gain (starFieldRadiance stars g turnedDifferential)
+          <+> scaleRadiance (diffuse * (g * g * (g * g))) (tint g (environmentMapRadiance milkyWayImage turnedDifferential))
   where
     stars = realStarField
     gain = realSkyBrightness settings * magnitudeZeroFlux
     diffuse = gain * realSkyMilkyWay settings
     tint = shiftedMixture 5200
-    turn (Beam d a b) = Beam (toFrame d) (toFrame a) (toFrame b)
+    turn (RayDifferential d a b) = RayDifferential (toFrame d) (toFrame a) (toFrame b)
     toFrame = toRealSky (inRadians (toRadians (realSkyRotation settings)))
 
 -- | The real stars, arranged at the first use, in units of the flux of magnitude 0.
@@ -84,11 +84,11 @@ magnitudeZeroFlux :: Double
 magnitudeZeroFlux = 80e-6
 
 -- | Random stars in front of the random band.
-pointStarRadiance :: Word64 -> PointStars -> Double -> Beam -> Radiance
+pointStarRadiance :: Word64 -> PointStars -> Double -> RayDifferential -> Radiance
 pointStarRadiance seed stars
   | pointStarsMilkyWay stars > 0 =
-    band `seq` field `seq` \g beam ->
-      starFieldRadiance field g beam <+> scaleRadiance (pointStarsMilkyWay stars * (g * g * (g * g))) (skyImageRadiance band beam)
+    band `seq` field `seq` \g differential ->
+      starFieldRadiance field g differential <+> scaleRadiance (pointStarsMilkyWay stars * (g * g * (g * g))) (environmentMapRadiance band differential)
   | otherwise = field `seq` starFieldRadiance field
   where
     field = starField (1e-6 * pointStarsBrightness stars) (starCatalogue (purposeSeed seed StarPlaces) (pointStarsCount stars))
@@ -96,9 +96,9 @@ pointStarRadiance seed stars
 
 -- | An image of the sky with the turn ('turned') and the brightness of an environment
 -- map.
-panoramaShader :: Panorama -> SkyImage -> SkyShader
-panoramaShader panorama image = ByBeam $ \g beam ->
-  scaleRadiance (panoramaBrightness panorama * (g * g * (g * g))) (skyImageRadiance image (turn beam))
+panoramaShader :: Panorama -> EnvironmentMap -> SkyShader
+panoramaShader panorama image = ByDifferential $ \g differential ->
+  scaleRadiance (panoramaBrightness panorama * (g * g * (g * g))) (environmentMapRadiance image (turn differential))
   where
     turn = turned (inRadians (toRadians (panoramaRotation panorama)))
 

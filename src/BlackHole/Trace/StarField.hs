@@ -28,8 +28,8 @@ where
 
 import BlackHole.Light.BlackBodyTable (tabulatedColour)
 import BlackHole.Light.Radiance
-import BlackHole.Trace.Beam
-import BlackHole.Trace.SkyImage
+import BlackHole.Trace.EnvironmentMap
+import BlackHole.Trace.RayDifferential
 import BlackHole.Trace.StarCatalogue
 import BlackHole.Trace.Tabulated
 import BlackHole.Vector.XYZ (XYZ (..))
@@ -56,7 +56,7 @@ data Tier = Tier
     -- | Direction, flux and temperature of each star.
     tierStars :: !(U.Vector Float),
     -- | The same light, blurred.
-    tierBlurred :: SkyImage
+    tierBlurred :: EnvironmentMap
   }
 
 -- | Index a catalogue, given the flux (radiance times steradians) of a star of
@@ -82,7 +82,7 @@ tier unitFlux stars side limit rings from to =
       tierLimit = limit,
       tierCells = U.map fromIntegral starts,
       tierStars = sorted,
-      tierBlurred = skyImageFromSources rings count (starDirection stars . (from +)) (light . (from +))
+      tierBlurred = environmentMapFromSources rings count (starDirection stars . (from +)) (light . (from +))
     }
   where
     count = to - from
@@ -151,21 +151,21 @@ kernelRadius = 2.5
 --
 -- A beam as wide as a pixel takes 80 ns without a star in it and 0.1 µs more for each
 -- star.
-starFieldRadiance :: StarField -> Double -> Beam -> Radiance
-starFieldRadiance (StarField tiers) g beam@(Beam (XYZ dx dy dz) a b)
-  | isNaN (extent + dx + dy + dz) || isInfinite extent = scaleRadiance g4 (foldMap (skyImageMean . tierBlurred) tiers)
+starFieldRadiance :: StarField -> Double -> RayDifferential -> Radiance
+starFieldRadiance (StarField tiers) g differential@(RayDifferential (XYZ dx dy dz) a b)
+  | isNaN (extent + dx + dy + dz) || isInfinite extent = scaleRadiance g4 (foldMap (environmentMapMean . tierBlurred) tiers)
   | otherwise = scaleRadiance g4 (go black tiers)
   where
     !g4 = g * g * (g * g)
-    !extent = kernelRadius * beamExtent beam
-    !area = abs (beamSolidAngle beam)
+    !extent = kernelRadius * differentialExtent differential
+    !area = abs (differentialSolidAngle differential)
     !breadth = XYZ.dot a a + XYZ.dot b b
     -- On a critical curve of the lens the beam is squeezed into a line, and the
     -- first-order magnification of a star is unbounded. The true value needs more than
     -- the Jacobian, and a wrong one would sparkle. So within about two pixels of the
     -- curve, a star is as bright as it is two pixels away.
     !weight = 1 / max area (breadth * min squeezed (4 * sqrt breadth))
-    look = lookThrough g extent beam
+    look = lookThrough g extent differential
     go !light [] = light
     go !light (t : rest)
       | share >= 1 = go (light <+> points t) rest
@@ -176,7 +176,7 @@ starFieldRadiance (StarField tiers) g beam@(Beam (XYZ dx dy dz) a b)
     points t
       | area > 1e-9 * breadth = scaleRadiance weight (tierPoints look t)
       | otherwise = black
-    blurred t = shiftedStars g (skyImageRadiance (tierBlurred t) beam)
+    blurred t = shiftedStars g (environmentMapRadiance (tierBlurred t) differential)
 
 -- | The ratio of the beam ellipse's axes, shorter to longer, below which its area is no
 -- longer trusted. For fine pixels the limit is lower: at δ pixels from an Einstein ring
@@ -210,7 +210,7 @@ shiftedMixture temperature = \g light@(Radiance r0 g0 b0) ->
        in [r' / r, g' / g, b' / b]
 
 -- | A beam prepared for all tiers: the observed frequency over the star's, the
--- direction, the two vectors of 'beamAxes', the window, and the windows on other faces
+-- direction, the two vectors of 'differentialAxes', the window, and the windows on other faces
 -- for a beam that extends beyond one.
 data Look
   = Look
@@ -228,13 +228,13 @@ data Window = Window !Int !Double !Double !Double !Double
 
 -- | The windows in which stars are looked for through a beam: one, or one on each
 -- face that the beam reaches.
-starWindows :: Beam -> [Window]
-starWindows beam = window : others
+starWindows :: RayDifferential -> [Window]
+starWindows differential = window : others
   where
-    Look _ _ _ _ window others = lookThrough 1 (kernelRadius * beamExtent beam) beam
+    Look _ _ _ _ window others = lookThrough 1 (kernelRadius * differentialExtent differential) differential
 
-lookThrough :: Double -> Double -> Beam -> Look
-lookThrough g extent beam@(Beam d@(XYZ dx dy dz) (XYZ jx jy jz) (XYZ kx ky kz))
+lookThrough :: Double -> Double -> RayDifferential -> Look
+lookThrough g extent differential@(RayDifferential d@(XYZ dx dy dz) (XYZ jx jy jz) (XYZ kx ky kz))
   | ax >= ay && ax >= az = onFace (if dx >= 0 then Face 0 1 else Face 1 (-1)) dx dy dz jx jy jz kx ky kz
   | ay >= az = onFace (if dy >= 0 then Face 2 1 else Face 3 (-1)) dy dz dx jy jz jx ky kz kx
   | otherwise = onFace (if dz >= 0 then Face 4 1 else Face 5 (-1)) dz dx dy jz jx jy kz kx ky
@@ -242,7 +242,7 @@ lookThrough g extent beam@(Beam d@(XYZ dx dy dz) (XYZ jx jy jz) (XYZ kx ky kz))
     !ax = abs dx
     !ay = abs dy
     !az = abs dz
-    !(p, q) = beamAxes beam
+    !(p, q) = differentialAxes differential
     -- A star within the kernel lies within this many pixels on the tangent plane, on
     -- which it is farther out than on the sphere.
     !radius = kernelRadius * (1 + extent * extent)
@@ -313,4 +313,4 @@ data Face = Face !Int !Double
 
 -- | The mean radiance of the sky for an observer at rest at infinity.
 starFieldMean :: StarField -> Radiance
-starFieldMean (StarField tiers) = foldMap (skyImageMean . tierBlurred) tiers
+starFieldMean (StarField tiers) = foldMap (environmentMapMean . tierBlurred) tiers

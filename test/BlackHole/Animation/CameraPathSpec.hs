@@ -2,11 +2,11 @@ module BlackHole.Animation.CameraPathSpec (spec) where
 
 import BlackHole.Animation.CameraPath
 import BlackHole.Animation.Interpolate (Interpolation (..))
-import BlackHole.Physics.Angle
-import BlackHole.Physics.Observer (Observer (..))
+import BlackHole.Numeric.Angle
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene
+import BlackHole.Spacetime.Observer (Observer (..))
 import BlackHole.Vector.XYZ (XYZ (..), (^-^))
 import qualified BlackHole.Vector.XYZ as XYZ
 import Support.Approx

@@ -1,8 +1,8 @@
 module BlackHole.Cli.AnimateSpec (spec) where
 
-import BlackHole.Animation.Film
+import BlackHole.Animation.Animation
 import BlackHole.Cli.Animate
-import BlackHole.Cli.FilmScene
+import BlackHole.Cli.AnimationScene
 import BlackHole.Cli.SceneOptions
 import BlackHole.Scene.Preset
 import Control.Monad (forM_)

@@ -8,7 +8,7 @@ import BlackHole.Cli.Options
 import BlackHole.Cli.SceneOptions
 import BlackHole.Image.Coding
 import BlackHole.Image.File
-import BlackHole.Image.Label (Label (..))
+import BlackHole.Image.Metadata (Label (..))
 import BlackHole.Image.Panorama (readPanorama)
 import BlackHole.Light.Display
 import BlackHole.Light.Dither
@@ -19,7 +19,7 @@ import BlackHole.Render.PixelShape
 import BlackHole.Render.Workers
 import BlackHole.Scene.File.SceneFile (printScene)
 import BlackHole.Scene.Preset (defaultScene)
-import BlackHole.Trace.SkyImage (skyImageMean)
+import BlackHole.Trace.EnvironmentMap (environmentMapMean)
 import qualified Codec.Picture as Juicy
 import Control.Exception (evaluate)
 import Control.Monad (forM_, join)
@@ -101,7 +101,7 @@ spec = do
           damaged <- generate (oneof [mutated whole, scrambled whole])
           Bytes.writeFile (folder </> "damaged") damaged
           allowance <- getAllocationCounter
-          outcome <- withLittleWork (readPanorama (folder </> "damaged") >>= evaluate . either length (\image -> if isFiniteRadiance (skyImageMean image) then 0 else -1))
+          outcome <- withLittleWork (readPanorama (folder </> "damaged") >>= evaluate . either length (\image -> if isFiniteRadiance (environmentMapMean image) then 0 else -1))
           left <- getAllocationCounter
           (damaged, outcome) `shouldSatisfy` maybe False (>= 0) . snd
           (damaged, allowance - left) `shouldSatisfy` (< 1000000000) . snd

@@ -1,6 +1,6 @@
 module BlackHole.Cli.HelpSpec (spec) where
 
-import qualified BlackHole.Animation.FilmFile as FilmFile
+import qualified BlackHole.Animation.AnimationFile as FilmFile
 import BlackHole.Cli.Help
 import BlackHole.Cli.Options
 import BlackHole.Scene.Field.Field

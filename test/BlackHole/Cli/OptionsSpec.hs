@@ -6,14 +6,14 @@ import BlackHole.Cli.Rays (RaysOptions (..))
 import BlackHole.Cli.SceneOptions (resolveScene)
 import BlackHole.Light.Display (Exposure (..), ToneMap (..))
 import BlackHole.Light.Dither (Dither (..))
-import BlackHole.Physics.Angle
-import BlackHole.Physics.Observer
-import BlackHole.Physics.Spacetime
+import BlackHole.Numeric.Angle
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Field.Field (Field (..), optionName)
 import BlackHole.Scene.Field.Table (sceneFields)
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene
+import BlackHole.Spacetime.Observer
+import BlackHole.Spacetime.Types
 import BlackHole.Vector.XYZ (XYZ (..))
 import Data.List (isInfixOf, isPrefixOf, nub)
 import Test.Hspec

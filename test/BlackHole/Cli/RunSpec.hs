@@ -2,7 +2,7 @@ module BlackHole.Cli.RunSpec (spec) where
 
 import BlackHole.Cli.Run
 import BlackHole.Image.File (fileLabel)
-import BlackHole.Image.Label (Label (..))
+import BlackHole.Image.Metadata (Label (..))
 import BlackHole.Light.Radiance (luminance)
 import qualified BlackHole.Light.Radiance as Radiance
 import Codec.Picture

@@ -7,8 +7,8 @@ import BlackHole.Scene.Field.Kind (Value (..))
 import BlackHole.Scene.Preset (defaultScene)
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Setting
+import BlackHole.Trace.EnvironmentMap (environmentMapMean)
 import BlackHole.Trace.Sky (neededPicture)
-import BlackHole.Trace.SkyImage (skyImageMean)
 import Codec.Picture
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Characters
@@ -88,7 +88,7 @@ spec = do
   it "fingerprints the file" . inFolder $ \folder -> do
     loaded <- loadSky (applySettings [Setting "sky.kind" (FileValue (folder </> "sky.png"))] defaultScene)
     fmap (length . skyLines) loaded `shouldBe` Right 1
-    fmap (fmap (skyImageMean . skyFileImage)) loaded `shouldSatisfy` either (const False) (/= Nothing)
+    fmap (fmap (environmentMapMean . skyFileImage)) loaded `shouldSatisfy` either (const False) (/= Nothing)
     fmap skyLines <$> loadSky defaultScene `shouldReturn` Right []
   where
     yaml = Characters.pack "sky: {kind: 'it''s.png'}"

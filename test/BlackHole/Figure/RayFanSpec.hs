@@ -3,7 +3,7 @@ module BlackHole.Figure.RayFanSpec (spec) where
 import BlackHole.Figure.Figure
 import BlackHole.Figure.RayFan
 import BlackHole.Figure.StrokeFont (hasGlyph)
-import BlackHole.Physics.Radii (criticalImpactParameter)
+import BlackHole.Spacetime.Schwarzschild.Radii (criticalImpactParameter)
 import BlackHole.Vector.XY (XY (..))
 import Data.List (sort)
 import Test.Hspec

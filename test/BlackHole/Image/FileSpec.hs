@@ -3,7 +3,7 @@ module BlackHole.Image.FileSpec (spec) where
 import BlackHole.Image.Coding
 import BlackHole.Image.Exr (halfBits)
 import BlackHole.Image.File
-import BlackHole.Image.Label
+import BlackHole.Image.Metadata
 import BlackHole.Light.Display
 import BlackHole.Light.Dither
 import BlackHole.Render.Film
@@ -36,7 +36,7 @@ spec = do
           let label = labelled coding text
           fmap (fileLabel . Lazy.toStrict) <$> encoded oneWorker path label `shouldReturn` Just (Just label)
       it "has the same bytes for any number of workers" $ do
-        files <- mapM (\crew -> encoded crew path (labelled coding scene)) (mapMaybe workers [1, 2, 3])
+        files <- mapM (\workers -> encoded workers path (labelled coding scene)) (mapMaybe workersFromCount [1, 2, 3])
         files `shouldSatisfy` all (\file -> [file] == take 1 files)
       it "is a picture of this size to ImageMagick or OpenImageIO" $
         inFile path coding $ \file ->
@@ -151,9 +151,9 @@ spec = do
     scene = Characters.pack "camera:\n  distance: 30\n\nname: caf\195\169\n"
     exposure = Exposure 0
     development = Development exposure ToneFilm NoDither
-    encoded crew path label = case formatOf path of
+    encoded workers path label = case formatOf path of
       Nothing -> pure Nothing
-      Just format -> encodeFile crew format label development redshift film
+      Just format -> encodeFile workers format label development redshift film
     inFile path coding action = withSystemTempDirectory "blackhole-spec" $ \folder -> do
       bytes <- encoded oneWorker path (labelled coding scene)
       case bytes of

@@ -1,9 +1,8 @@
 module BlackHole.Image.GoldenSpec (spec) where
 
 import BlackHole.Image.Coding
-import BlackHole.Image.Label
+import BlackHole.Image.Metadata
 import BlackHole.Image.Png
-import BlackHole.Physics.Spacetime
 import BlackHole.Render.Film
 import BlackHole.Render.Workers
 import BlackHole.Scene.Camera (Picture (..))
@@ -11,6 +10,7 @@ import BlackHole.Scene.Disk
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Sky
+import BlackHole.Spacetime.Types
 import qualified Data.ByteString as Bytes
 import Support.Golden
 import Test.Hspec

@@ -3,7 +3,7 @@ module BlackHole.Image.PanoramaSpec (spec) where
 import BlackHole.Image.Panorama
 import BlackHole.Light.Display (decodeSrgb)
 import BlackHole.Light.Radiance
-import BlackHole.Trace.SkyImage
+import BlackHole.Trace.EnvironmentMap
 import qualified Codec.Compression.Zlib as Zlib
 import Codec.Picture
 import qualified Data.ByteString as Bytes
@@ -26,14 +26,14 @@ spec = do
           decoded <- decodePanorama bytes
           case decoded of
             Left problem -> expectationFailure (name ++ " " ++ problem)
-            Right image -> luminance (skyImageMean image) `shouldBeWithin` (tolerance, expected)
+            Right image -> luminance (environmentMapMean image) `shouldBeWithin` (tolerance, expected)
         | (name, bytes, tolerance, expected) <- files
       ]
   it "says in one line what is wrong with other files" $
     sequence_
       [ do
           decoded <- decodePanorama bytes
-          case fmap skyImageMean decoded of
+          case fmap environmentMapMean decoded of
             Left line -> lines line `shouldBe` [line]
             Right _ -> expectationFailure ("took " ++ show (Bytes.take 12 bytes))
         | bytes <-
@@ -56,7 +56,7 @@ spec = do
             case outcome of
               Left line -> length (lines line) `shouldBe` 1
               -- Some decoders fill up what is missing.
-              Right image -> skyImageMean image `shouldSatisfy` isFiniteRadiance
+              Right image -> environmentMapMean image `shouldSatisfy` isFiniteRadiance
           | (_, bytes, _, _) <- files,
             k <- [0 .. 6]
         ]
@@ -67,12 +67,12 @@ spec = do
     file `seq` pure ()
     allowance <- getAllocationCounter
     outcome <- decodePanorama file
-    fmap skyImageMean outcome `shouldSatisfy` either (isInfixOf "more than its pixels") (const False)
+    fmap environmentMapMean outcome `shouldSatisfy` either (isInfixOf "more than its pixels") (const False)
     left <- getAllocationCounter
     allowance - left `shouldSatisfy` (< 10000000)
   it "names no file that is not there" $ do
     outcome <- readPanorama "/nowhere/sky.png"
-    fmap skyImageMean outcome `shouldSatisfy` either (const True) (const False)
+    fmap environmentMapMean outcome `shouldSatisfy` either (const True) (const False)
   where
     files =
       [ ("png", png, 1e-4, decodeSrgb (100 / 255)),

@@ -1,7 +1,7 @@
 module BlackHole.Image.PngSpec (spec) where
 
 import BlackHole.Image.Coding
-import BlackHole.Image.Label
+import BlackHole.Image.Metadata
 import BlackHole.Image.Png
 import BlackHole.Render.PixelArray
 import BlackHole.Render.PixelShape
@@ -21,12 +21,12 @@ spec = do
   it "is read back with every code, at any size" $
     mapM_ roundTrip [(1, 1), (2, 1), (3, 5), (7, 2), (640, 360), (300, 1000)]
   it "has the same bytes for any number of workers" $ do
-    files <- traverse (\crew -> encoded crew 500 400) (mapMaybe workers [1, 2, 3])
+    files <- traverse (\workers -> encoded workers 500 400) (mapMaybe workersFromCount [1, 2, 3])
     files `shouldSatisfy` all (\file -> take 1 files == [file])
   it "has the same bytes made of bands, of which it asks for all rows once" $
     forM_ [(1, 1), (640, 360), (300, 3000), (90000, 7)] $ \(width, height) ->
-      forM_ (mapMaybe workers [1, 3]) $ \crew -> do
-        whole <- encoded crew width height
+      forM_ (mapMaybe workersFromCount [1, 3]) $ \workers -> do
+        whole <- encoded workers width height
         written <- newIORef []
         asked <- newIORef []
         let bandOf range@(first, count) = do
@@ -36,7 +36,7 @@ spec = do
                 guard (from >= first && from + rows <= first + count)
                 shape <- pixelShape width rows 3
                 Codes8 <$> fromPixelVector shape (Vector.slice (3 * width * from) (3 * width * rows) (picture width height))
-        done <- maybe (pure False) (\shape -> encodePngBands crew label shape 1 bandOf (\bytes -> modifyIORef written (bytes :))) (pixelShape width height 3)
+        done <- maybe (pure False) (\shape -> encodePngBands workers label shape 1 bandOf (\bytes -> modifyIORef written (bytes :))) (pixelShape width height 3)
         file <- readIORef written
         ranges <- readIORef asked
         (done, Lazy.fromChunks (reverse file) == whole) `shouldBe` (True, True)
@@ -61,9 +61,9 @@ spec = do
           (w, h) `shouldBe` (width, height)
           codes == picture width height `shouldBe` True
         _ -> expectationFailure "this is no 8-bit RGB PNG"
-    encoded crew width height =
+    encoded workers width height =
       case pixelShape width height 3 >>= \shape -> fromPixelVector shape (picture width height) of
-        Just pixels -> encodePng crew label (Codes8 pixels)
+        Just pixels -> encodePng workers label (Codes8 pixels)
         Nothing -> Lazy.empty <$ expectationFailure "not a picture"
     -- Gradients, black, and something like noise.
     picture :: Int -> Int -> Vector.Vector Word8

@@ -1,9 +1,9 @@
 module BlackHole.Image.SphereSpec (spec) where
 
 import BlackHole.Image.Coding
-import BlackHole.Image.Finish
 import BlackHole.Image.Sphere
-import BlackHole.Physics.Angle
+import BlackHole.Image.Write
+import BlackHole.Numeric.Angle
 import BlackHole.Render.Film
 import BlackHole.Render.Workers
 import BlackHole.Scene.Camera

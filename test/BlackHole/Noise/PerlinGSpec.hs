@@ -26,7 +26,7 @@ spec = do
   describe "statistics" statistics
   describe "smoothness across borders" smoothness
   describe "profiles" profiles
-  describe "remembered hashes" remembered
+  describe "cached hashes" cached
   describe "golden values" golden
 
 gradients :: Spec
@@ -246,8 +246,8 @@ profiles = do
   it "give 0 for silence" $
     perlin3 (Seed 1) mempty (XYZ 0.3 0.4 0.5) `shouldBe` 0
 
-remembered :: Spec
-remembered = do
+cached :: Spec
+cached = do
   prop "give the same bits in space, with fewer hashes" $ \seed (Place v) -> do
     let s = Seed seed
         (first, second, hashes) = runST $ do

@@ -45,7 +45,7 @@ spec = do
     two <- outside 2
     two `shouldBeWithin` (0.05 * one, one)
   it "has the same bytes for any number of workers" $ do
-    films <- mapM (\crew -> toPixelVector <$> bloomFilm crew 0.3 (filmOf 61 33 fromIntegral)) (mapMaybe workers [1, 2, 3])
+    films <- mapM (\workers -> toPixelVector <$> bloomFilm workers 0.3 (filmOf 61 33 fromIntegral)) (mapMaybe workersFromCount [1, 2, 3])
     films `shouldSatisfy` all (\film -> take 1 films == [film])
   it "does not spread a fault" $ do
     glare <- bloomed 0.5 64 36 (\i -> if i == 3000 then 0 / 0 else 1)

@@ -2,7 +2,7 @@ module BlackHole.Render.FilmSpec (spec) where
 
 import BlackHole.Light.Display
 import BlackHole.Light.Dither (Dither (..))
-import BlackHole.Physics.Angle (Degrees (..))
+import BlackHole.Numeric.Angle (Degrees (..))
 import BlackHole.Render.Film
 import BlackHole.Render.PixelArray (toPixelVector)
 import BlackHole.Render.Workers
@@ -84,8 +84,8 @@ rmse a b = sqrt (Vector.sum (Vector.zipWith difference (toPixelVector a) (toPixe
     shown v = sqrt (min 1 v)
 
 developed :: Int -> IO (Maybe (Vector.Vector Word8))
-developed n = case workers n of
+developed n = case workersFromCount n of
   Nothing -> pure Nothing
-  Just crew -> withWorkers crew $ do
-    film <- exposeFilm crew (const (pure ())) small
-    traverse (fmap toPixelVector . developFilm crew (Exposure 0) ToneFilm BlueNoise) film
+  Just workers -> withWorkers workers $ do
+    film <- exposeFilm workers (const (pure ())) small
+    traverse (fmap toPixelVector . developFilm workers (Exposure 0) ToneFilm BlueNoise) film

@@ -2,9 +2,7 @@
 module BlackHole.Render.PanoramaFilmSpec (spec) where
 
 import BlackHole.Light.Radiance
-import BlackHole.Physics.Angle (Degrees (..))
-import BlackHole.Physics.Observer (Observer (..))
-import BlackHole.Physics.Spacetime (Spacetime (..))
+import BlackHole.Numeric.Angle (Degrees (..))
 import BlackHole.Render.Film
 import BlackHole.Render.PixelArray (toPixelVector)
 import BlackHole.Render.Workers
@@ -13,7 +11,9 @@ import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Shifts (Shifts (..))
 import BlackHole.Scene.Sky
-import BlackHole.Trace.SkyImage
+import BlackHole.Spacetime.Observer (Observer (..))
+import BlackHole.Spacetime.Types (Spacetime (..))
+import BlackHole.Trace.EnvironmentMap
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified Data.Vector.Storable as Vector
 import Test.Hspec
@@ -46,7 +46,7 @@ spec = do
       ]
   it "sends the same light whatever its turn, and turns as a whole" $ do
     -- A picture of four equal quarters, turned by one, is the same picture.
-    let quarters = skyImageFromPixels 512 256 (\i j -> grey (2 + cos (pi * fromIntegral i / 64) + sin (0.1 * fromIntegral j)))
+    let quarters = environmentMapFromPixels 512 256 (\i j -> grey (2 + cos (pi * fromIntegral i / 64) + sin (0.1 * fromIntegral j)))
     [a, b] <- mapM (\turn -> exposed quarters (from 8 Static) {sceneSky = SkyPanorama (panoramaOf "x") {panoramaRotation = Degrees turn}}) [10, 100]
     deviation a `shouldSatisfy` (> 0.3)
     -- But for the fields, of which no ring has quarters.
@@ -56,9 +56,9 @@ spec = do
     traverse (faultyPixels oneWorker) film `shouldReturn` Nothing
   where
     sky = SkyPanorama (panoramaOf "x")
-    plain v = skyImageFromPixels 64 32 (\_ _ -> grey v)
+    plain v = environmentMapFromPixels 64 32 (\_ _ -> grey v)
     -- Fields of 0.18°, in pixels of 1.4° and more.
-    checks = skyImageFromPixels 2048 1024 (\i j -> if even (i + j) then white else black)
+    checks = environmentMapFromPixels 2048 1024 (\i j -> if even (i + j) then white else black)
     white = grey 1
     from r who =
       defaultScene
@@ -76,7 +76,7 @@ spec = do
           XYZ x y z = posePosition (cameraPose (sceneCamera scene))
        in scene {sceneCamera = (sceneCamera scene) {cameraPose = LookAt (XYZ x y z) (XYZ (5 * x) (3 * y) (5 * z))}}
     unshifted scene = scene {sceneSky = sky, sceneShifts = Shifts False False}
-    exposed picture scene = maybe Vector.empty (channel . toPixelVector) <$> exposeFilmUnder picture oneWorker (const (pure ())) scene
+    exposed picture scene = maybe Vector.empty (channel . toPixelVector) <$> exposeFilmWithSky picture oneWorker (const (pure ())) scene
     channel light = Vector.generate (Vector.length light `quot` 3) (\i -> realToFrac (light Vector.! (3 * i)) :: Double)
     mean values = Vector.sum values / fromIntegral (max 1 (Vector.length values))
     deviation values = sqrt (mean (Vector.map (\v -> (v - mean values) ^ (2 :: Int)) values))

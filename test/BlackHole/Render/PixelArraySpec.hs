@@ -32,12 +32,12 @@ spec = do
   describe "generateRows" $ do
     it "gives equal bytes for any number of workers" $ do
       let shape = shaped 31 40 3
-      pictures <- traverse (\crew -> bits <$> generateRows crew silent shape unevenRow) crews
-      map (== uneven shape) pictures `shouldBe` map (const True) crews
+      pictures <- traverse (\workers -> bits <$> generateRows workers silent shape unevenRow) workerCounts
+      map (== uneven shape) pictures `shouldBe` map (const True) workerCounts
 
-    prop "runs every row once, on zeros" . forAll ((,) <$> smallShape <*> elements crews) $
-      \(shape, crew) -> ioProperty . inTime $ do
-        pixels <- generateRows crew silent shape $ \y row ->
+    prop "runs every row once, on zeros" . forAll ((,) <$> smallShape <*> elements workerCounts) $
+      \(shape, workers) -> ioProperty . inTime $ do
+        pixels <- generateRows workers silent shape $ \y row ->
           for_ [0 .. MVector.length row - 1] $ \i ->
             MVector.modify row (+ (y * shapeRowLength shape + i + 1)) i
         pixelArrayShape pixels `shouldBe` shape
@@ -45,15 +45,15 @@ spec = do
 
     it "makes a single pixel, a single row and a single column" $
       for_ [shaped 1 1 1, shaped 1 1 3, shaped 500 1 3, shaped 1 500 3] $ \shape ->
-        for_ crews $ \crew -> do
-          pixels <- generateRows crew silent shape unevenRow
+        for_ workerCounts $ \workers -> do
+          pixels <- generateRows workers silent shape unevenRow
           bits pixels `shouldBe` uneven shape
 
     it "hands rows to whoever is free" . inTime $ do
       others <- newIORef (0 :: Int)
       allOthers <- newEmptyMVar
       void $
-        generateRows (crewOf 2) silent (shaped 1 100 1) $ \y row -> do
+        generateRows (workersOf 2) silent (shaped 1 100 1) $ \y row -> do
           MVector.write row 0 (0 :: Float)
           unsafeIOToST $
             if y == 0
@@ -64,10 +64,10 @@ spec = do
 
   describe "progress" $ do
     it "grows, ends with the height, and comes from one thread" . inTime $
-      for_ crews $ \crew -> do
+      for_ workerCounts $ \workers -> do
         told <- newIORef []
         let tell count = myThreadId >>= \from -> modifyIORef told ((count, from) :)
-        void $ generateRows crew tell (shaped 5 200 3) unevenRow
+        void $ generateRows workers tell (shaped 5 200 3) unevenRow
         (counts, tellers) <- unzip . reverse <$> readIORef told
         counts `shouldSatisfy` and . (zipWith (<) <*> drop 1) . (0 :)
         last (0 : counts) `shouldBe` 200
@@ -79,7 +79,7 @@ spec = do
       finished <- newIORef (0 :: Int)
       allFinished <- newEmptyMVar
       void $
-        generateRows (crewOf 2) (const (readMVar allFinished)) (shaped 1 2000 3) $ \y row -> do
+        generateRows (workersOf 2) (const (readMVar allFinished)) (shaped 1 2000 3) $ \y row -> do
           unevenRow y row
           unsafeIOToST $ do
             count <- atomicModifyIORef' finished (\n -> (n + 1, n + 1))
@@ -87,43 +87,43 @@ spec = do
       readIORef finished `shouldReturn` 2000
 
     it "passes its exceptions on and stops the rows" . stopsAllRows $ \beats ->
-      generateRows (crewOf 3) (const (throwIO Overflow)) (shaped 1 100 1) (endless beats (== 0))
+      generateRows (workersOf 3) (const (throwIO Overflow)) (shaped 1 100 1) (endless beats (== 0))
         `shouldThrow` (== Overflow)
 
   describe "exceptions" $ do
     it "of a row's pure code reach the caller" . inTime $
-      for_ crews $ \crew ->
-        generateRows crew silent (shaped 4 50 1) (\y row -> MVector.set row (1 `div` (y - 17)))
+      for_ workerCounts $ \workers ->
+        generateRows workers silent (shaped 4 50 1) (\y row -> MVector.set row (1 `div` (y - 17)))
           `shouldThrow` (== DivideByZero)
 
     it "of one row stop the others" . stopsAllRows $ \beats ->
-      for_ crews $ \crew ->
-        generateRows crew silent (shaped 1 100 1) (endless beats (const False) `unlessRow` 0)
+      for_ workerCounts $ \workers ->
+        generateRows workers silent (shaped 1 100 1) (endless beats (const False) `unlessRow` 0)
           `shouldThrow` (== DivideByZero)
 
     it "are survived: the next picture is whole" $ do
       let shape = shaped 4 50 3
-      for_ crews $ \crew -> do
-        generateRows crew silent shape (unevenRow `unlessRow` 20)
+      for_ workerCounts $ \workers -> do
+        generateRows workers silent shape (unevenRow `unlessRow` 20)
           `shouldThrow` (== DivideByZero)
-        pixels <- generateRows crew silent shape unevenRow
+        pixels <- generateRows workers silent shape unevenRow
         bits pixels `shouldBe` uneven shape
 
   describe "interruption" $ do
     it "by a time limit stops all workers" . stopsAllRows $ \beats ->
-      for_ crews $ \crew -> do
-        interrupted <- timeout 50000 $ generateRows crew silent (shaped 1 100 1) (endless beats (const False))
+      for_ workerCounts $ \workers -> do
+        interrupted <- timeout 50000 $ generateRows workers silent (shaped 1 100 1) (endless beats (const False))
         isNothing interrupted `shouldBe` True
 
     it "reaches pure code" . inTime $ do
-      interrupted <- timeout 50000 $ generateRows (crewOf 2) silent (shaped 1 100 1) endlessSum
+      interrupted <- timeout 50000 $ generateRows (workersOf 2) silent (shaped 1 100 1) endlessSum
       isNothing interrupted `shouldBe` True
 
     it "by another thread stops all workers before that thread goes on" . stopsAllRows $ \beats -> do
       ended <- newEmptyMVar
       caller <-
         forkIO $
-          void (generateRows (crewOf 2) silent (shaped 1 100 1) (endless beats (const False)))
+          void (generateRows (workersOf 2) silent (shaped 1 100 1) (endless beats (const False)))
             `catch` (putMVar ended :: AsyncException -> IO ())
       threadDelay 20000
       killThread caller
@@ -146,11 +146,11 @@ spec = do
 silent :: Int -> IO ()
 silent _ = pure ()
 
-crewOf :: Int -> Workers
-crewOf = fromMaybe oneWorker . workers
+workersOf :: Int -> Workers
+workersOf = fromMaybe oneWorker . workersFromCount
 
-crews :: [Workers]
-crews = mapMaybe workers [1, 2, 3, 7]
+workerCounts :: [Workers]
+workerCounts = mapMaybe workersFromCount [1, 2, 3, 7]
 
 -- A shape of sides that are known to be positive.
 shaped :: Int -> Int -> Int -> PixelShape

@@ -1,8 +1,7 @@
 module BlackHole.Render.ProjectionFilmSpec (spec) where
 
 import BlackHole.Light.Radiance
-import BlackHole.Physics.Angle
-import BlackHole.Physics.Observer
+import BlackHole.Numeric.Angle
 import BlackHole.Render.Film
 import BlackHole.Render.Workers
 import BlackHole.Scene.Camera
@@ -12,6 +11,7 @@ import BlackHole.Scene.Scene
 import BlackHole.Scene.Setting
 import BlackHole.Scene.Sky
 import BlackHole.Scene.Validate
+import BlackHole.Spacetime.Observer
 import BlackHole.Trace.Pixel
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ (..))

@@ -1,7 +1,7 @@
 module BlackHole.Render.RingFilmSpec (spec) where
 
 import BlackHole.Light.Radiance
-import BlackHole.Physics.Angle
+import BlackHole.Numeric.Angle
 import BlackHole.Render.Film
 import BlackHole.Render.Workers
 import BlackHole.Scene.Camera

@@ -11,14 +11,14 @@ spec :: Spec
 spec = do
   it "keeps the order of the pieces for any number of workers" $
     mapM_
-      (\crew -> mapShared crew (pure . (* 2)) [1 .. 100 :: Int] `shouldReturn` [2, 4 .. 200])
-      (mapMaybe workers [1, 2, 7])
+      (\workers -> mapShared workers (pure . (* 2)) [1 .. 100 :: Int] `shouldReturn` [2, 4 .. 200])
+      (mapMaybe workersFromCount [1, 2, 7])
   it "has nothing to do for no pieces" $
     mapShared oneWorker pure ([] :: [Int]) `shouldReturn` []
   it "rethrows what a piece throws" $
     mapM_
-      ( \crew ->
-          mapShared crew (\n -> when (n == 50) (throwIO (ErrorCall "fifty"))) [1 .. 100 :: Int]
+      ( \workers ->
+          mapShared workers (\n -> when (n == 50) (throwIO (ErrorCall "fifty"))) [1 .. 100 :: Int]
             `shouldThrow` (== ErrorCall "fifty")
       )
-      (mapMaybe workers [1, 3])
+      (mapMaybe workersFromCount [1, 3])

@@ -3,18 +3,18 @@ module BlackHole.Render.StarFilmSpec (spec) where
 
 import BlackHole.Light.Radiance
 import BlackHole.Noise.PerlinG (Seed)
-import BlackHole.Physics.Angle (Degrees (..))
-import BlackHole.Physics.ExactPath
-import BlackHole.Physics.Fate
-import BlackHole.Physics.LightPath
-import BlackHole.Physics.Observer
-import BlackHole.Physics.Spacetime (Spacetime (..))
+import BlackHole.Numeric.Angle (Degrees (..))
 import BlackHole.Render.Film
 import BlackHole.Render.Workers
 import BlackHole.Scene.Camera (Camera (..), Picture (..), Pose (..))
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Sky
+import BlackHole.Spacetime.Fate
+import BlackHole.Spacetime.LightPath
+import BlackHole.Spacetime.Observer
+import BlackHole.Spacetime.Schwarzschild.ExactPath
+import BlackHole.Spacetime.Types (Spacetime (..))
 import BlackHole.Trace.Seeds
 import BlackHole.Trace.StarCatalogue
 import BlackHole.Vector.XYZ (XYZ (..))
@@ -85,7 +85,7 @@ spec = do
     -- the hole, by the closed form.
     behind theta = fromMaybe (0 / 0) $ do
       photon <- sightLine Schwarzschild Static (XYZ distance 0 0) (XYZ (-(cos theta)) (sin theta) 0) >>= sightPhoton
-      case followedFate (followExact Schwarzschild emptyRegion photon (\() _ -> Onward ()) ()) of
+      case followedFate (followExact Schwarzschild emptyRegion photon (\() _ -> Continue ()) ()) of
         Escaped (XYZ x y _) -> Just (atan2 y (-x))
         _ -> Nothing
     imageAt beta = bisected (\theta -> behind theta - beta)

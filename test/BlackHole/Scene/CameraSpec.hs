@@ -1,6 +1,6 @@
 module BlackHole.Scene.CameraSpec (spec) where
 
-import BlackHole.Physics.Angle
+import BlackHole.Numeric.Angle
 import BlackHole.Scene.Camera
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^-^))

@@ -1,13 +1,13 @@
 module BlackHole.Scene.ValidateSpec (spec) where
 
 import BlackHole.Light.Display (Exposure (..))
-import BlackHole.Physics.Angle
-import BlackHole.Physics.Observer
+import BlackHole.Numeric.Angle
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Disk
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Validate
+import BlackHole.Spacetime.Observer
 import BlackHole.Vector.XYZ (XYZ (..))
 import Data.List (isInfixOf)
 import Test.Hspec

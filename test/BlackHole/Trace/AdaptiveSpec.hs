@@ -1,11 +1,11 @@
 module BlackHole.Trace.AdaptiveSpec (spec) where
 
 import BlackHole.Light.Radiance
-import BlackHole.Physics.Spacetime (Spacetime (..))
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Sky
+import BlackHole.Spacetime.Types (Spacetime (..))
 import BlackHole.Trace.Adaptive
 import BlackHole.Trace.Estimate
 import BlackHole.Trace.Pixel

@@ -1,10 +1,7 @@
 module BlackHole.Trace.ExplainSpec (spec) where
 
 import BlackHole.Light.Radiance
-import BlackHole.Physics.Angle
-import BlackHole.Physics.Fate
-import BlackHole.Physics.Observer
-import BlackHole.Physics.Photon (angularMomentum)
+import BlackHole.Numeric.Angle
 import BlackHole.Render.Film
 import BlackHole.Render.PixelRows (pixelChannels)
 import BlackHole.Render.Workers
@@ -12,6 +9,9 @@ import BlackHole.Scene.Camera
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Sky
+import BlackHole.Spacetime.Fate
+import BlackHole.Spacetime.Observer
+import BlackHole.Spacetime.Photon (angularMomentum)
 import BlackHole.Trace.Explain
 import BlackHole.Trace.Pixel
 import BlackHole.Vector.XY (XY (..))

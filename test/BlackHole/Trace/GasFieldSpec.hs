@@ -1,8 +1,8 @@
 module BlackHole.Trace.GasFieldSpec (spec) where
 
-import BlackHole.Physics.GasMotion (keplerianRate)
-import BlackHole.Physics.Spacetime (Spacetime (..))
+import BlackHole.Matter.GasMotion (keplerianRate)
 import BlackHole.Scene.Disk
+import BlackHole.Spacetime.Types (Spacetime (..))
 import BlackHole.Trace.GasField
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ
@@ -54,7 +54,7 @@ spec = do
         ]
     it "varies as much between two patterns as within one" $
       meanSpread [0.25, 0.75 .. 3.75] / meanSpread [0 .. 3] `shouldSatisfy` (\ratio -> ratio > 0.85 && ratio < 1.18)
-    it "loses what a long stretch cannot tell, but not its mean" $ do
+    it "loses what a long segment cannot resolve, but not its mean" $ do
       spread (map (smeared 2) (places 6 0)) `shouldSatisfy` (< 0.9 * spread (map (density turbulent) (places 6 0)))
       let mean len = sum [exp (smeared len p) | r <- [4, 4.25 .. 9], p <- places r 0] / (64 * 21)
       (mean 2 / mean 1e-3) `shouldSatisfy` (\ratio -> ratio > 0.8 && ratio < 1.25)

@@ -1,7 +1,7 @@
 module BlackHole.Trace.GasHeatSpec (spec) where
 
-import BlackHole.Physics.Spacetime (Spacetime (..))
 import BlackHole.Scene.Disk
+import BlackHole.Spacetime.Types (Spacetime (..))
 import BlackHole.Trace.GasField
 import BlackHole.Vector.XYZ (XYZ (..))
 import Support.Approx

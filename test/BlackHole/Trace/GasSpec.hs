@@ -1,16 +1,16 @@
 module BlackHole.Trace.GasSpec (spec) where
 
 import BlackHole.Light.Radiance
-import BlackHole.Physics.Angle
-import BlackHole.Physics.LightPath
-import BlackHole.Physics.Observer
-import BlackHole.Physics.Spacetime
+import BlackHole.Numeric.Angle
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Disk
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Shifts
 import BlackHole.Scene.Sky
+import BlackHole.Spacetime.LightPath
+import BlackHole.Spacetime.Observer
+import BlackHole.Spacetime.Types
 import BlackHole.Trace.Gas
 import BlackHole.Trace.Pixel
 import BlackHole.Vector.XY (XY (..))
@@ -51,9 +51,9 @@ spec = do
   describe "opacity" $
     it "ends the path beyond 99 %" $ do
       let thick = gatherGas (gas Schwarzschild 0 (Shifts True True) smooth {diskOpacity = 1e4} (XYZ 0 0 20) 1e-3 1) 1
-      case thick nothingYet (Stretch (XYZ 2.5 0 0) (XYZ 0 (-1) 0) 0.1) of
-        Hidden gathered -> gatheredTransmittance gathered `shouldSatisfy` (< opaqueEnough)
-        Onward _ -> expectationFailure "the path goes on"
+      case thick nothingYet (PathSegment (XYZ 2.5 0 0) (XYZ 0 (-1) 0) 0.1) of
+        Stop gathered -> gatheredTransmittance gathered `shouldSatisfy` (< opaqueEnough)
+        Continue _ -> expectationFailure "the path goes on"
   where
     luminanceOf = luminance
     blueness (Radiance r _ b) = b / r

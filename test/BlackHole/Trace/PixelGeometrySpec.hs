@@ -1,14 +1,14 @@
 module BlackHole.Trace.PixelGeometrySpec (spec) where
 
-import BlackHole.Physics.Angle (Degrees (..))
-import BlackHole.Physics.Observer
-import BlackHole.Physics.Photon
-import BlackHole.Physics.Redshift
-import BlackHole.Physics.Spacetime
+import BlackHole.Matter.Redshift
+import BlackHole.Numeric.Angle (Degrees (..))
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Disk
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene
+import BlackHole.Spacetime.Observer
+import BlackHole.Spacetime.Photon
+import BlackHole.Spacetime.Types
 import BlackHole.Trace.Pixel
 import BlackHole.Trace.PixelGeometry
 import BlackHole.Trace.PlaneCrossing

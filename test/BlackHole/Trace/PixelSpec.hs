@@ -1,15 +1,15 @@
 module BlackHole.Trace.PixelSpec (spec) where
 
 import BlackHole.Light.Radiance
-import BlackHole.Physics.Angle
-import BlackHole.Physics.LightPath
-import BlackHole.Physics.Observer
-import BlackHole.Physics.Spacetime
+import BlackHole.Numeric.Angle
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Disk
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Sky
+import BlackHole.Spacetime.LightPath
+import BlackHole.Spacetime.Observer
+import BlackHole.Spacetime.Types
 import BlackHole.Trace.Pixel
 import BlackHole.Vector.XY (XY (..))
 import Control.Exception (evaluate)
@@ -83,16 +83,16 @@ spec = do
         | r <- [6, 20, 80],
           observer <- [Static, Falling]
       ]
-  it "leaves nothing behind for a stretch of gas" . whenOptimised $
+  it "leaves nothing behind for a segment of gas" . whenOptimised $
     case tracer defaultScene {sceneSky = SkyNone} of
       Nothing -> expectationFailure "no scene"
       Just traced -> do
-        let stretches point = maybe 0 (\sight -> followedSteps (followSight traced point sight (\() _ -> Onward ()) ())) (tracedSight traced point)
+        let segments point = maybe 0 (\sight -> followedSteps (followSight traced point sight (\() _ -> Continue ()) ())) (tracedSight traced point)
             points = [XY x y | x <- [100, 200 .. 1800], y <- [250, 270 .. 830]]
         bytes <- bytesOfRays traced points
-        let long = [b | (b, point) <- zip bytes points, stretches point >= 16]
+        let long = [b | (b, point) <- zip bytes points, segments point >= 16]
         length long `shouldSatisfy` (> 10)
-        -- What a ray needs for itself; a stretch once took a hundred bytes.
+        -- What a ray needs for itself; a segment once took a hundred bytes.
         maximum long `shouldSatisfy` (< 3300)
   it "leaves little on the heap of a ray through empty space" . whenOptimised $
     case tracer defaultScene {sceneDisk = Nothing, sceneSky = SkyGrid} of

@@ -1,10 +1,10 @@
 module BlackHole.Trace.PlaneCrossingSpec (spec) where
 
-import BlackHole.Physics.Observer
-import BlackHole.Physics.Redshift
-import BlackHole.Physics.Spacetime
+import BlackHole.Matter.Redshift
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene
+import BlackHole.Spacetime.Observer
+import BlackHole.Spacetime.Types
 import BlackHole.Trace.PlaneCrossing
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
 import qualified BlackHole.Vector.XYZ as XYZ

@@ -2,18 +2,18 @@ module BlackHole.Trace.RealSkySpec (spec) where
 
 import BlackHole.Animation.Digest
 import BlackHole.Light.Radiance
-import BlackHole.Physics.Angle (Degrees (..))
-import BlackHole.Physics.Spacetime (Spacetime (..))
+import BlackHole.Numeric.Angle (Degrees (..))
 import BlackHole.Render.Film
 import BlackHole.Render.Workers
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Sky
-import BlackHole.Trace.Beam
+import BlackHole.Spacetime.Types (Spacetime (..))
+import BlackHole.Trace.EnvironmentMap
+import BlackHole.Trace.RayDifferential
 import BlackHole.Trace.RealSky
 import BlackHole.Trace.SkyFiles
-import BlackHole.Trace.SkyImage
 import BlackHole.Trace.StarCatalogue
 import BlackHole.Trace.StarField
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^), (^-^))
@@ -37,7 +37,7 @@ spec = do
     it "decode to nothing rather than fail if bytes are missing" $ do
       starCount (decodeStars (Bytes.take 23 starBytes)) `shouldBe` 2
       starCount (decodeStars Bytes.empty) `shouldBe` 0
-      fmap (isFiniteRadiance . skyImageMean) (decodeMilkyWay Bytes.empty) `shouldBe` Just True
+      fmap (isFiniteRadiance . environmentMapMean) (decodeMilkyWay Bytes.empty) `shouldBe` Just True
   describe "the stars" $ do
     it "are in order of brightness, Sirius first" $ do
       let magnitudes = map (starMagnitude realStars) [0 .. starCount realStars - 1]
@@ -66,10 +66,10 @@ spec = do
       closeTo 1e-6 1 (XYZ.norm (starDirection realStars (i `mod` 118235 :: Int)))
   describe "the Milky Way" $ do
     it "has the light of 214 stars of magnitude 0" $
-      fmap ((4 * pi *) . luminance . skyImageMean) realMilkyWay `shouldSatisfy` maybe False (\v -> abs (v - 214.1) < 1)
+      fmap ((4 * pi *) . luminance . environmentMapMean) realMilkyWay `shouldSatisfy` maybe False (\v -> abs (v - 214.1) < 1)
     it "has its centre, its clouds and the Magellanic clouds in their places" $ do
       let towards l b = galactic (l * degree) (b * degree)
-          light l b = maybe 0 (\image -> luminance (skyImageRadiance image (Beam (towards l b) (XYZ 0 0 0) (XYZ 0 0 0)))) realMilkyWay
+          light l b = maybe 0 (\image -> luminance (environmentMapRadiance image (RayDifferential (towards l b) (XYZ 0 0 0) (XYZ 0 0 0)))) realMilkyWay
       -- The Large Magellanic Cloud beside its mirror images.
       light 280.5 (-32.9) `shouldSatisfy` (> 5 * maximum [light 79.5 (-32.9), light 280.5 32.9, light 100.5 (-32.9)])
       -- The bulge south of the dust; the sky's poles are dark.
@@ -79,7 +79,7 @@ spec = do
       case realMilkyWay of
         Nothing -> expectationFailure "no picture"
         Just image ->
-          let at l b = skyImageRadiance image (Beam (galactic (l * degree) (b * degree)) (XYZ 0 0 0) (XYZ 0 0 0))
+          let at l b = environmentMapRadiance image (RayDifferential (galactic (l * degree) (b * degree)) (XYZ 0 0 0) (XYZ 0 0 0))
            in sequence_
                 [ luminance (at (l + 0.01) b) `shouldBeWithin` (0.02 * luminance (at l b), luminance (at (l - 0.01) b))
                   | (l, b) <- [(180, b) | b <- [-80, -40, -10, -3, 0, 2, 7, 30, 70]] ++ [(l, s * 89.99) | l <- [0, 77 .. 360], s <- [1, -1]]
@@ -93,9 +93,9 @@ spec = do
       apart (fromEquatorial (192.85948 * degree) (27.12825 * degree)) (XYZ 0 1 0) `shouldSatisfy` (< second)
       apart (fromEquatorial (266.4051 * degree) (-28.936175 * degree)) (XYZ 0 0 (-1)) `shouldSatisfy` (< second)
     it "turns as a panorama does" $ do
-      let beam = Beam (XYZ 0.6 0 (-0.8)) (XYZ 0.8e-3 0 0.6e-3) (XYZ 0 1e-3 0)
-          d = beamDirection (turned 0.4 beam)
-      XYZ.norm (toRealSky 0.4 (beamDirection beam) ^-^ toRealSky 0 d) `shouldBeWithin` (1e-12, 0)
+      let differential = RayDifferential (XYZ 0.6 0 (-0.8)) (XYZ 0.8e-3 0 0.6e-3) (XYZ 0 1e-3 0)
+          d = differentialDirection (turned 0.4 differential)
+      XYZ.norm (toRealSky 0.4 (differentialDirection differential) ^-^ toRealSky 0 d) `shouldBeWithin` (1e-12, 0)
   describe "on film, without gravity" $ do
     it "Orion's belt is a line of three, evenly spaced, and falls to the left when north is up" $ do
       let (place, middle, place') = (equatorial (5, 32, 0.40) (0, -17, -56.7), equatorial (5, 36, 12.81) (-1, 12, 6.9), equatorial (5, 40, 45.53) (-1, 56, 33.3))

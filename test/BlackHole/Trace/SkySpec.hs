@@ -1,11 +1,11 @@
 module BlackHole.Trace.SkySpec (spec) where
 
 import BlackHole.Light.Radiance
-import BlackHole.Physics.Angle (Degrees (..))
+import BlackHole.Numeric.Angle (Degrees (..))
 import BlackHole.Scene.Sky
-import BlackHole.Trace.Beam
+import BlackHole.Trace.EnvironmentMap
+import BlackHole.Trace.RayDifferential
 import BlackHole.Trace.Sky
-import BlackHole.Trace.SkyImage
 import BlackHole.Vector.XYZ (XYZ (..), (*^))
 import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Word (Word64)
@@ -35,8 +35,8 @@ spec = do
     length [() | d <- directionsOf 20000, shown 1 (SkyNoise reportStars) 1 d /= shown 2 (SkyNoise reportStars) 1 d]
       `shouldSatisfy` (> 10)
   it "a panorama is as bright as it is said to be, and g⁴ times that" $
-    case (panoramaShader (Panorama "" (Degrees 40) 3) <$> skyImageFromPixels 8 4 (\_ _ -> grey 0.5), wide (XYZ 0 1 0)) of
-      (Just (ByBeam shader), beam) -> luminance (shader 2 beam) `shouldBeWithin` (1e-4, 24)
+    case (panoramaShader (Panorama "" (Degrees 40) 3) <$> environmentMapFromPixels 8 4 (\_ _ -> grey 0.5), wide (XYZ 0 1 0)) of
+      (Just (ByDifferential shader), differential) -> luminance (shader 2 differential) `shouldBeWithin` (1e-4, 24)
       _ -> expectationFailure "a panorama needs the beam"
   where
     -- Made once, for all the properties' cases.
@@ -44,10 +44,10 @@ spec = do
     shown :: Word64 -> Sky -> Double -> XYZ -> Radiance
     shown seed sky = case skyShader Nothing seed sky of
       Just (ByDirection shader) -> shader
-      Just (ByBeam shader) -> \g d -> shader g (wide d)
+      Just (ByDifferential shader) -> \g d -> shader g (wide d)
       Nothing -> \_ _ -> Radiance (0 / 0) 0 0
     -- Some hundredths of a radian.
-    wide d@(XYZ x y z) = Beam d (0.02 *^ XYZ y (-x) 0) (0.02 *^ XYZ.cross d (XYZ z 0.1 x))
+    wide d@(XYZ x y z) = RayDifferential d (0.02 *^ XYZ y (-x) 0) (0.02 *^ XYZ.cross d (XYZ z 0.1 x))
     -- Evenly over the sphere along a spiral of golden angles.
     directionsOf n = map (onSpiral n) [0 .. n - 1]
     onSpiral :: Int -> Int -> XYZ

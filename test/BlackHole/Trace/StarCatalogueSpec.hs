@@ -2,10 +2,10 @@ module BlackHole.Trace.StarCatalogueSpec (spec) where
 
 import BlackHole.Light.Radiance
 import BlackHole.Noise.PerlinG (Seed (..))
-import BlackHole.Trace.Beam
+import BlackHole.Trace.EnvironmentMap
 import BlackHole.Trace.Galaxy
 import BlackHole.Trace.MilkyWay
-import BlackHole.Trace.SkyImage
+import BlackHole.Trace.RayDifferential
 import BlackHole.Trace.StarCatalogue
 import BlackHole.Vector.XYZ (XYZ (..), (^+^), (^-^))
 import qualified BlackHole.Vector.XYZ as XYZ
@@ -47,7 +47,7 @@ spec = do
   prop "galactic coordinates turn and turn back" $ \(Direction d) ->
     closeTo 1e-12 0 (XYZ.norm (fromGalactic (toGalactic d) ^-^ d))
   it "the Milky Way is brighter in its plane than at its poles, and brightest about the middle" $ do
-    let lights = [luminance (foldMap (skyImageRadianceAt . fromGalactic) places) | places <- [ring 1, ring (-1), [XYZ 0 0 1, XYZ 0 0 (-1)]]]
+    let lights = [luminance (foldMap (environmentMapRadianceAt . fromGalactic) places) | places <- [ring 1, ring (-1), [XYZ 0 0 1, XYZ 0 0 (-1)]]]
         ring c = [XYZ (c * cos t) (sin t) 0 | t <- [-0.5, -0.25 .. 0.5]]
     case lights of
       [middle, far, poles] -> do
@@ -57,4 +57,4 @@ spec = do
   where
     stars = starCatalogue (Seed 1) 12000
     band = milkyWay (Seed 3)
-    skyImageRadianceAt d = skyImageRadiance band (Beam d (XYZ 0 0 0) (XYZ 0 0 0))
+    environmentMapRadianceAt d = environmentMapRadiance band (RayDifferential d (XYZ 0 0 0) (XYZ 0 0 0))

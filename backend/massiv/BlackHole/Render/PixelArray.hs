@@ -62,13 +62,13 @@ generateRows ::
   PixelShape ->
   (forall s. Int -> MVector s e -> ST s ()) ->
   IO (PixelArray e)
-generateRows crew progress shape fillRow =
+generateRows workers progress shape fillRow =
   withRowCount (shapeHeight shape) progress $ \rowFinished ->
     PixelArray shape
       <$> Massiv.createArray_
         -- Each worker is bound to a processor. Of 320 measured pictures, the free
         -- workers of 'ParN' rendered 6 on one processor alone, bound workers none.
-        (ParOn [0 .. min (workersCount crew) (shapeHeight shape) - 1])
+        (ParOn [0 .. min (workersCount workers) (shapeHeight shape) - 1])
         (massivSize shape)
         ( \scheduler pixels ->
             for_ [0 .. shapeHeight shape - 1] $ \y ->

@@ -62,7 +62,7 @@ generateRows ::
   PixelShape ->
   (forall s. Int -> MVector s e -> ST s ()) ->
   IO (PixelArray e)
-generateRows crew progress shape fillRow = do
+generateRows workers progress shape fillRow = do
   -- Each worker clears a row before filling it, so that all workers touch the memory of
   -- a huge picture at the same time.
   pixels <- MVector.unsafeNew (shapeLength shape)
@@ -77,7 +77,7 @@ generateRows crew progress shape fillRow = do
           rowFinished
           worker rowFinished
   withRowCount (shapeHeight shape) progress $
-    onWorkers crew (shapeHeight shape) . worker
+    onWorkers workers (shapeHeight shape) . worker
   PixelArray shape <$> Vector.unsafeFreeze pixels
 
 -- | An array of the given shape that shares the vector's memory; 'Nothing' if the

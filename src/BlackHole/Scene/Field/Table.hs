@@ -12,10 +12,7 @@ where
 
 import BlackHole.Light.Display (Exposure (..), ToneMap (..), toneMapName)
 import BlackHole.Light.Dither (Dither (..))
-import BlackHole.Physics.Angle
-import BlackHole.Physics.Kerr.Landmarks
-import qualified BlackHole.Physics.Observer as Observer
-import BlackHole.Physics.Spacetime (Spacetime (..))
+import BlackHole.Numeric.Angle
 import BlackHole.Scene.Camera (Camera (cameraFieldOfView, cameraPose, cameraRoll), Picture (..), Pose (..), Projection (..), posePosition, projectionFieldOfView, projectionHeight, projectionName)
 import BlackHole.Scene.Disk (DiskColour (..), DiskProfile (..), defaultDisk)
 import qualified BlackHole.Scene.Disk as Gas
@@ -25,6 +22,9 @@ import BlackHole.Scene.Filter (Filter (..), filterName)
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Shifts (Shifts (..))
 import BlackHole.Scene.Sky (Panorama (..), PointStars (..), RealSky (..), Sky (..), Stars (..), defaultPointStars, defaultStars, panoramaOf, realSky)
+import BlackHole.Spacetime.Kerr.Landmarks
+import qualified BlackHole.Spacetime.Observer as Observer
+import BlackHole.Spacetime.Types (Spacetime (..))
 import BlackHole.Vector.XYZ (XYZ (..))
 import Data.List (find, intercalate)
 import Data.Maybe (fromMaybe, isJust)

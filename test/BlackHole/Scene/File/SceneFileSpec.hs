@@ -3,7 +3,7 @@
 module BlackHole.Scene.File.SceneFileSpec (spec) where
 
 import BlackHole.Image.Bytes (strict)
-import BlackHole.Physics.Angle (Degrees (..))
+import BlackHole.Numeric.Angle (Degrees (..))
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Disk
 import BlackHole.Scene.Field.Field (Field (..))

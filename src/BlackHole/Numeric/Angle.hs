@@ -1,0 +1,39 @@
+-- | Angles whose unit is part of their type. The command line and scene files use
+-- degrees; everything else uses radians.
+module BlackHole.Numeric.Angle
+  ( Degrees (..),
+    Radians (..),
+    toRadians,
+    toDegrees,
+    arcTangent2,
+  )
+where
+
+-- | An angle in degrees.
+newtype Degrees = Degrees {inDegrees :: Double}
+  deriving (Eq, Ord, Show)
+
+-- | An angle in radians.
+newtype Radians = Radians {inRadians :: Double}
+  deriving (Eq, Ord, Show)
+
+-- | Converts degrees to radians.
+toRadians :: Degrees -> Radians
+toRadians (Degrees d) = Radians (d * pi / 180)
+
+-- | Converts radians to degrees.
+toDegrees :: Radians -> Degrees
+toDegrees (Radians r) = Degrees (r * 180 / pi)
+
+-- | @arcTangent2 y x@ is the angle of the point @(x, y)@ in radians, from −π to π,
+-- equal to @atan2 y x@ except that signed zeros and infinities get no special
+-- treatment; it is 0 for two zeros. GHC's @atan2@ handles those cases and takes several
+-- times as long.
+arcTangent2 :: Double -> Double -> Double
+arcTangent2 y x
+  | x > 0 = atan (y / x)
+  | x < 0 = if y < 0 then atan (y / x) - pi else atan (y / x) + pi
+  | y > 0 = pi / 2
+  | y < 0 = negate (pi / 2)
+  | otherwise = 0
+{-# INLINE arcTangent2 #-}

@@ -1,0 +1,103 @@
+-- | The numbers of one light path around a rotating hole: constants of motion, end,
+-- crossings of the disk's plane with the shift of the gas there, and points to draw the
+-- path from.
+module BlackHole.Spacetime.Kerr.PathReport
+  ( KerrReport (..),
+    KerrCrossing (..),
+    KerrPathPoint (..),
+    kerrReport,
+  )
+where
+
+import BlackHole.Numeric.Bisection (bisect)
+import BlackHole.Spacetime.Kerr.GasFlow
+import BlackHole.Spacetime.Kerr.Landmarks
+import BlackHole.Spacetime.Kerr.Path
+import BlackHole.Spacetime.Kerr.Sight
+import BlackHole.Vector.XYZ (XYZ (..))
+
+-- | One light path. Lengths are in Schwarzschild radii, angles in radians.
+data KerrReport = KerrReport
+  { kerrReportFate :: !KerrFate,
+    -- | λ, the angular momentum about the axis over the energy.
+    kerrReportLambda :: !Double,
+    -- | Carter's constant over the squared energy.
+    kerrReportCarter :: !Double,
+    -- | The Mino time from the observer to the end; infinite for a path that circles for
+    -- ever.
+    kerrReportMinoTime :: !Double,
+    -- | The frequency that the observer measures over that at infinity.
+    kerrReportObserved :: !Double,
+    kerrReportCrossings :: ![KerrCrossing],
+    -- | From the observer to the horizon, or to the radius out to which it is drawn.
+    kerrReportPath :: [KerrPathPoint]
+  }
+  deriving (Eq, Show)
+
+-- | A crossing of the plane @y = 0@ outside the horizon.
+data KerrCrossing = KerrCrossing
+  { kerrCrossingRadius :: !Double,
+    -- | @atan2 z x@ in [−π, π).
+    kerrCrossingAzimuth :: !Double,
+    -- | ν_obs\/ν_em of light from right-handed gas there.
+    kerrCrossingRedshift :: !Double
+  }
+  deriving (Eq, Show)
+
+-- | A point of the path: Mino time and place.
+data KerrPathPoint = KerrPathPoint !Double !XYZ
+  deriving (Eq, Show)
+
+-- | @kerrReport hole drawn ray@: the report on the path of a ray whose observer stands at
+-- azimuth 90°, on the side of @+z@, with the path drawn out to a radius (or to the
+-- observer, if that is farther). The points are at most a fiftieth of their radius
+-- apart, and at most 100 000.
+kerrReport :: Spin -> Double -> LightRay -> KerrReport
+kerrReport hole drawn ray =
+  KerrReport
+    { kerrReportFate = kerrFate path,
+      kerrReportLambda = rayLambda ray,
+      kerrReportCarter = rayEta ray,
+      kerrReportMinoTime = kerrMinoTime path,
+      kerrReportObserved = rayObserved ray,
+      kerrReportCrossings =
+        [ KerrCrossing (pointRadius point) (azimuthOf (pointAzimuth point)) (rayObserved ray / frequency)
+          | point <- kerrPlanePoints path,
+            Just frequency <- [planeFrequency flow ray (pointRadius point) (pointGrows point)]
+        ],
+      kerrReportPath = [KerrPathPoint time (placed (kerrPoint path time)) | time <- take 100000 (times 0)]
+    }
+  where
+    path = kerrPath hole (BoyerLindquist 0) ray
+    flow = gasFlow hole
+    limit = max drawn (rayRadius ray)
+    momentum2 = abs (rayEta ray) + rayLambda ray * rayLambda ray
+    times time
+      | time >= end = [end]
+      | otherwise =
+        let r = pointRadius (kerrPoint path time)
+         in time : times (time + 0.02 / sqrt (r * r + momentum2))
+    -- Where the path leaves the drawn sphere, if it escapes; a path that ends at the
+    -- horizon stops just short of it, for the azimuth winds up there.
+    end = case kerrFate path of
+      Escapes _ -> lastBelow limit (kerrMinoTime path)
+      Captured -> kerrMinoTime path * (1 - 1e-9)
+      Circles -> 20
+    -- Outwards at the end, so that the radius grows beyond some time for good.
+    lastBelow radius = bisect (\t -> let point = kerrPoint path t in not (pointGrows point) || pointRadius point < radius) 0
+
+-- | From φ, which counts from @+z@, to the azimuth @atan2 z x@.
+azimuthOf :: Double -> Double
+azimuthOf phi
+  | turned >= pi = turned - 2 * pi
+  | otherwise = turned
+  where
+    turned = 0.5 * pi - phi
+
+placed :: KerrPoint -> XYZ
+placed point = XYZ (r * s * sin phi) (r * c) (r * s * cos phi)
+  where
+    r = pointRadius point
+    c = pointCosine point
+    s = sqrt (max 0 ((1 - c) * (1 + c)))
+    phi = pointAzimuth point

@@ -1,0 +1,327 @@
+-- | The radial motion of light around a Kerr hole, in closed form.
+--
+-- In Mino time @(dr\/dτ)² = R(r) = r⁴ + c₂r² + κr − a²η@, with
+-- @c₂ = a² − λ² − η@ and @κ = η + (λ − a)²@. The four roots decide what kind of
+-- motion it is, and the radius is a Möbius function of @sn²@ or of @cn@ of a
+-- linear function of τ (Gralla and Lupsasca 2020, appendices A and B; their
+-- roots, which are real expressions of Ferrari's). Differences that would lose
+-- digits for light close to a photon orbit are factored instead.
+--
+-- The azimuth that depends on the radius, @Φ_r@, is an integral over @v@ with
+-- @sn = tanh v@ (for @cn@, over the like variable about its quarter period): the
+-- integrand has no structure near a photon orbit, where @v@ runs evenly through
+-- the windings, and 16 nodes serve for two units of @v@.
+module BlackHole.Spacetime.Kerr.Radial
+  ( Radial,
+    radial,
+    RadialEnd (..),
+    radialEnd,
+    RadialState (..),
+    stateAfter,
+    timeWithin,
+    stateAtEnd,
+    dragging,
+    regularDragging,
+    radialPotential,
+    photonOrbitOffset,
+  )
+where
+
+import BlackHole.Numeric.Elliptic
+import BlackHole.Spacetime.Kerr.Landmarks
+import BlackHole.Spacetime.Kerr.Quadrature
+import BlackHole.Spacetime.Kerr.Sight
+
+-- | The radial motion of one ray.
+data Radial = Radial
+  { _radialShape :: !Shape,
+    _radialRate :: {-# UNPACK #-} !Double,
+    _radialComplement :: {-# UNPACK #-} !Double,
+    _radialModulus :: !Modulus,
+    -- | The elliptic argument at the start: negative on the way to the turning
+    -- point (or towards where one would be).
+    _radialStart :: {-# UNPACK #-} !Double,
+    -- | The elliptic argument at the end.
+    _radialStop :: {-# UNPACK #-} !Double,
+    _radialEnd :: !RadialEnd,
+    -- | The variable @v@ at the start, at the end, and at the horizon on the way
+    -- outwards (infinite if the ray keeps away from it).
+    _radialStartV :: {-# UNPACK #-} !Double,
+    _radialStopV :: {-# UNPACK #-} !Double,
+    _radialPole :: {-# UNPACK #-} !Double,
+    _radialStartRadius :: {-# UNPACK #-} !Double
+  }
+
+-- | How the radius depends on the elliptic argument.
+data Shape
+  = -- | Outside the greatest of four real roots @r₁ r₂ r₃ r₄@; at @r₄@ at the
+    -- argument 0.
+    Outer !Double !Double !Double !Double
+  | -- | Between @r₂@ and @r₃@ of four real roots; at @r₃@ at the argument 0.
+    Inner !Double !Double !Double !Double
+  | -- | Outside the greater of two real roots @r₁ r₂@, with the distances @a₁@ of
+    -- @r₂@ and @b₁@ of @r₁@ from the complex ones, and the square root of the
+    -- complementary parameter; at @r₂@ at the argument 0.
+    Single !Double !Double !Double !Double !Double
+
+-- | Where the radial motion ends, going backwards along the light.
+data RadialEnd = AtInfinity | AtHorizon
+  deriving (Eq, Show)
+
+-- | A radius on the way.
+data RadialState = RadialState
+  { stateRadius :: {-# UNPACK #-} !Double,
+    -- | Whether the radius grows along the tracing (the real photon approaches
+    -- the hole).
+    stateGrows :: !Bool,
+    stateV :: {-# UNPACK #-} !Double
+  }
+
+-- | @R(r) = P² − Δκ@ with @P = r² + a² − aλ@: the square of @dr\/dτ@.
+radialPotential :: Spin -> LightRay -> Double -> Double
+radialPotential hole ray r = p * p - delta * kappa
+  where
+    a = spinLength hole
+    lambda = rayLambda ray
+    p = r * r + a * (a - lambda)
+    delta = (r - horizonRadius hole) * (r - innerHorizonRadius hole)
+    kappa = rayEta ray + (lambda - a) * (lambda - a)
+
+-- | A smooth measure of how far a ray is from one that circles for ever on a photon
+-- orbit: the squared half distance of the two greatest roots over the squared radius of
+-- the orbit, positive for light that turns back there and negative for light that passes
+-- through. 'Nothing' where these roots belong to no orbit outside the horizon.
+photonOrbitOffset :: Spin -> LightRay -> Maybe Double
+photonOrbitOffset hole ray
+  | z > horizonRadius hole = Just (upper / (z * z))
+  | otherwise = Nothing
+  where
+    Roots z upper _ = rootsOf hole ray
+
+-- | The four roots of @R@, as @z ± √upper@ and @−z ± √lower@.
+data Roots
+  = Roots
+      {-# UNPACK #-} !Double
+      {-# UNPACK #-} !Double
+      {-# UNPACK #-} !Double
+
+rootsOf :: Spin -> LightRay -> Roots
+rootsOf hole ray =
+  Roots z (negate (0.5 * c2 + z * z + kappa / (4 * z))) (kappa / (4 * z) - 0.5 * c2 - z * z)
+  where
+    a = spinLength hole
+    lambda = rayLambda ray
+    eta = rayEta ray
+    c2 = (a - lambda) * (a + lambda) - eta
+    kappa = eta + (lambda - a) * (lambda - a)
+    z = ferrari c2 kappa (negate (a * a * eta))
+
+-- | The radial motion of a ray, and the Mino time until it ends (infinite for a
+-- ray that approaches a photon orbit for ever, in every bit). 'Nothing' if no
+-- root is real, which needs η < 0.
+radial :: Spin -> LightRay -> Maybe Radial
+radial hole ray
+  | upper >= 0 && lower >= 0 =
+    let half = sqrt upper
+        other = sqrt lower
+        (r1, r2, r3, r4) = (negate z - other, other - z, z - half, z + half)
+        complement = 2 * half * 2 * other / ((r3 - r1) * (r4 - r2))
+        rate = 0.5 * sqrt ((r3 - r1) * (r4 - r2))
+     in if r0 >= r4 || r4 <= horizon
+          then
+            let shape = Outer r1 r2 r3 r4
+             in Just (motion shape rate complement (r4 > horizon))
+          else Just (motion (Inner r1 r2 r3 r4) rate complement True)
+  | lower >= 0 =
+    let other = sqrt lower
+        (r1, r2) = (negate z - other, other - z)
+        p = z - r1
+        q = z - r2
+        imaginary2 = negate upper
+        a1 = sqrt (q * q + imaginary2)
+        b1 = sqrt (p * p + imaginary2)
+        -- a₁b₁ − pq without its cancellation, and with it the complement of
+        -- ((a₁+b₁)² − r₂₁²)/(4a₁b₁).
+        gap
+          | p * q > 0 = imaginary2 * (p * p + q * q + imaginary2) / (a1 * b1 + p * q)
+          | otherwise = a1 * b1 - p * q
+        complement = other * other * 2 * (imaginary2 + gap) / (a1 * b1 * (a1 + b1) * (a1 + b1))
+     in Just (motion (Single r1 r2 a1 b1 (sqrt complement)) (sqrt (a1 * b1)) complement False)
+  | otherwise = Nothing
+  where
+    horizon = horizonRadius hole
+    r0 = rayRadius ray
+    Roots z upper lower = rootsOf hole ray
+    grows = rayRadialRate ray > 0
+    motion shape rate complement turns =
+      Radial
+        { _radialShape = shape,
+          _radialRate = rate,
+          _radialComplement = complement,
+          _radialModulus = modulus complement,
+          _radialStart = start,
+          _radialStop = stop,
+          _radialEnd = end,
+          _radialStartV = startV,
+          _radialStopV = stopV,
+          _radialPole = case shape of
+            Outer {} | turns -> 1 / 0
+            _ -> snd (position horizon),
+          _radialStartRadius = r0
+        }
+      where
+        position = argumentAt complement shape
+        negative (x, v) = (negate x, negate v)
+        (start, startV) = case shape of
+          Inner {} | grows -> negative (position r0)
+          Inner {} -> position r0
+          _ | grows -> position r0
+          _ -> negative (position r0)
+        (end, (stop, stopV)) = case shape of
+          Inner {} -> (AtHorizon, position horizon)
+          _ | grows || turns -> (AtInfinity, argumentAtInfinity complement shape)
+          _ -> (AtHorizon, negative (position horizon))
+
+-- | Ferrari's @z > 0@ of @r⁴ + c₂r² + κr + c₀@ with κ > 0: minus half the sum of
+-- the two smaller roots.
+ferrari :: Double -> Double -> Double -> Double
+ferrari c2 kappa c0 = sqrt (max 0 (0.5 * omegas - c2 / 6))
+  where
+    p = negate (c2 * c2 / 12) - c0
+    q = negate (c2 / 3) * (c2 * c2 / 36 - c0) - kappa * kappa / 8
+    discriminant = p * p * p / 27 + 0.25 * q * q
+    omegas
+      | discriminant >= 0 =
+        -- Of the two cube roots the greater by amount; their product is −p/3.
+        let big = cubeRoot (negate (0.5 * q) + (if q <= 0 then 1 else -1) * sqrt discriminant)
+         in if big == 0 then 0 else big - p / (3 * big)
+      | otherwise =
+        2 * sqrt (negate p / 3) * cos (atan2 (sqrt (negate discriminant)) (negate (0.5 * q)) / 3)
+    cubeRoot x = signum x * abs x ** (1 / 3)
+
+-- | The elliptic argument and the variable @v@ at a radius, both as if on the way
+-- outwards.
+argumentAt :: Double -> Shape -> Double -> (Double, Double)
+argumentAt complement shape r = case shape of
+  Outer r1 _ r3 r4 -> quarter ((r3 - r1) * (r - r4)) ((r4 - r3) * (r - r1))
+  Inner _ r2 r3 r4 -> quarter ((r4 - r2) * (r3 - r)) ((r4 - r3) * (r - r2))
+  Single r1 r2 a1 b1 root ->
+    half root (2 * sqrt (a1 * b1 * (r - r1) * (r - r2))) (a1 * (r - r1) - b1 * (r - r2))
+  where
+    quarter sine2 cosine2 =
+      (firstQuadrantF complement (max 0 sine2) (max 0 cosine2), asinh (sqrt (max 0 sine2 / cosine2)))
+    half = halfTurn complement
+
+-- | 'argumentAt' at infinity, on the way outwards.
+argumentAtInfinity :: Double -> Shape -> (Double, Double)
+argumentAtInfinity complement shape = case shape of
+  Outer r1 _ r3 r4 ->
+    (firstQuadrantF complement (r3 - r1) (r4 - r3), asinh (sqrt ((r3 - r1) / (r4 - r3))))
+  -- Never asked for: such light does not escape.
+  Inner {} -> (1 / 0, 1 / 0)
+  Single _ _ a1 b1 root -> halfTurn complement root (2 * sqrt (a1 * b1)) (a1 - b1)
+
+-- | @F(φ)@ for φ in (0, π) from numbers in proportion to its sine and cosine, and
+-- the variable @v = −asinh (cot φ \/ √m₁)@.
+halfTurn :: Double -> Double -> Double -> Double -> (Double, Double)
+halfTurn complement root sine cosine
+  | cosine >= 0 = (first, v)
+  | otherwise = (2 * completeK complement - first, v)
+  where
+    first = firstQuadrantF complement (sine * sine) (cosine * cosine)
+    v = negate (asinh (cosine / (sine * root)))
+
+-- | Where the motion ends, and after what Mino time.
+radialEnd :: Radial -> (RadialEnd, Double)
+radialEnd radius = (_radialEnd radius, (_radialStop radius - _radialStart radius) / _radialRate radius)
+
+-- | The Mino times between which the ray is within a radius; 'Nothing' if it never is.
+timeWithin :: Radial -> Double -> Maybe (Double, Double)
+timeWithin radius limit
+  | from < to = Just (from, to)
+  | otherwise = Nothing
+  where
+    (end, total) = radialEnd radius
+    start = _radialStart radius
+    starts = _radialStartRadius radius <= limit
+    timeAt x = (x - start) / _radialRate radius
+    (from, to) = case _radialShape radius of
+      shape@(Outer _ _ _ r4)
+        | r4 >= limit -> (1, 0)
+        | otherwise -> between shape
+      -- The turning point is the farthest.
+      shape@(Inner _ _ r3 _)
+        | starts -> (0, if r3 <= limit || start > 0 then total else timeAt (negate (argument shape)))
+        | otherwise -> (max 0 (timeAt (argument shape)), total)
+      shape -> between shape
+    argument shape = fst (argumentAt (_radialComplement radius) shape limit)
+    between shape =
+      ( if starts then 0 else if start < 0 then timeAt (negate (argument shape)) else 1 / 0,
+        case end of
+          AtInfinity -> timeAt (argument shape)
+          AtHorizon -> total
+      )
+
+-- | The radius after a Mino time within the motion.
+stateAfter :: Radial -> Double -> RadialState
+stateAfter radius time = RadialState (radiusAt shape (abs' v)) grows v
+  where
+    shape = _radialShape radius
+    x = _radialStart radius + _radialRate radius * time
+    Jacobi sn cn _ = jacobi (_radialModulus radius) x
+    grows = case shape of
+      Inner {} -> x < 0
+      _ -> x > 0
+    v = case shape of
+      Single _ _ _ _ root -> signum x * negate (asinh (cn / (abs sn * root)))
+      _ -> asinh (sn / cn)
+    abs' = case shape of
+      Single {} -> (signum x *)
+      _ -> id
+
+-- | The state in which the motion ends; its radius is infinite at infinity.
+stateAtEnd :: Radial -> RadialState
+stateAtEnd radius = RadialState (1 / 0) True (_radialStopV radius)
+
+-- | The radius as a function of the outward variable @v@.
+radiusAt :: Shape -> Double -> Double
+radiusAt shape v = case shape of
+  Outer r1 _ r3 r4 -> r4 + (r4 - r1) * (r4 - r3) * s2 / ((r3 - r1) - (r4 - r3) * s2)
+  Inner _ r2 r3 r4 -> ((r4 - r2) * r3 + s2 * (r4 - r3) * r2) / ((r4 - r2) + s2 * (r4 - r3))
+  Single r1 r2 a1 b1 root ->
+    let h = root * sinh v
+        t = if h < 0 then 1 / (sqrt (1 + h * h) - h) else sqrt (1 + h * h) + h
+     in (b1 * r2 - a1 * t * t * r1) / (b1 - a1 * t * t)
+  where
+    s = sinh v
+    s2 = s * s
+
+-- | @dragging rate radius state@: the integral over Mino time of a function of the
+-- radius from the start to a state, for a ray that starts outside the horizon. The
+-- function may have a pole at the horizon and has no other singularity outside.
+dragging :: (Double -> Double) -> Radial -> RadialState -> Double
+dragging rate radius = alongRadius toHorizon rate radius
+  where
+    toHorizon v = case _radialShape radius of
+      Single {} | _radialStart radius < 0 -> abs (v + _radialPole radius)
+      Single {} -> abs (v - _radialPole radius)
+      _ -> abs (abs v - _radialPole radius)
+
+-- | 'dragging' of a function without a pole, for a ray that may start inside the
+-- horizon.
+regularDragging :: (Double -> Double) -> Radial -> RadialState -> Double
+regularDragging = alongRadius (const (1 / 0))
+
+alongRadius :: (Double -> Double) -> (Double -> Double) -> Radial -> RadialState -> Double
+alongRadius toPole rate radius state =
+  integrateBeside toPole integrand (_radialStartV radius) (stateV state) / _radialRate radius
+  where
+    shape = _radialShape radius
+    -- Where there is no turning point, v runs backwards on the way in.
+    outward = case shape of
+      Single {} | _radialStart radius < 0 -> negate
+      _ -> id
+    integrand v =
+      let e = exp v
+          s = 0.5 * (e - 1 / e)
+       in rate (radiusAt shape (outward v)) / sqrt (1 + _radialComplement radius * s * s)

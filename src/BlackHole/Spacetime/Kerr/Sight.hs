@@ -1,0 +1,131 @@
+-- | Lines of sight near a Kerr hole: from a direction in the frame of an observer
+-- to the constants of motion of the light that arrives from there.
+--
+-- Units and conventions are those of "BlackHole.Spacetime.Kerr.Landmarks". The
+-- azimuth φ is Boyer–Lindquist's, right-handed about @+y@ and 0 at @+z@; places
+-- are drawn at @r (sin θ sin φ, cos θ, sin θ cos φ)@. Light is traced backwards,
+-- from the observer to its source: derivatives here are along the tracing, with
+-- respect to Mino time τ (@dτ = dl\/Σ@ for the affine length @l@ of light of unit
+-- energy at infinity), while the constants λ and η are those of the real photon.
+module BlackHole.Spacetime.Kerr.Sight
+  ( Place (..),
+    Motion (..),
+    Direction (..),
+    LightRay (..),
+    lightRay,
+  )
+where
+
+import BlackHole.Spacetime.Kerr.Landmarks
+
+-- | A place in Boyer–Lindquist coordinates: radius, polar angle from @+y@ in
+-- radians. (Every azimuth is as good as any other.)
+data Place = Place
+  { placeRadius :: !Double,
+    placePolarAngle :: !Double
+  }
+  deriving (Eq, Show)
+
+-- | How an observer moves.
+data Motion
+  = -- | At rest against the stars; possible outside the ergosphere.
+    AtRest
+  | -- | With no angular momentum, turning with space (Bardeen's locally
+    -- non-rotating, or zero-angular-momentum, observer).
+    ZeroAngularMomentum
+  | -- | On the circular geodesic; off the plane, on a spherical geodesic at its
+    -- turning point in latitude.
+    OnOrbit !Handedness
+  | -- | Falling from rest at infinity without angular momentum (Doran 2000).
+    -- Possible at every radius above 0.
+    InFreeFall
+  deriving (Eq, Show)
+
+-- | A direction of sight in the observer's orthonormal frame, away from the
+-- observer: components along e_r, e_θ and e_φ, of unit length.
+data Direction = Direction !Double !Double !Double
+  deriving (Eq, Show)
+
+-- | One line of sight as a ray of light traced backwards.
+data LightRay = LightRay
+  { rayRadius :: {-# UNPACK #-} !Double,
+    -- | cos θ and sin θ of the observer's place; the sine is never 0.
+    rayCosine :: {-# UNPACK #-} !Double,
+    raySine :: {-# UNPACK #-} !Double,
+    -- | dr\/dτ at the observer.
+    rayRadialRate :: {-# UNPACK #-} !Double,
+    -- | dθ\/dτ at the observer.
+    rayPolarRate :: {-# UNPACK #-} !Double,
+    -- | λ = L\/E, the photon's angular momentum about the axis over its energy.
+    rayLambda :: {-# UNPACK #-} !Double,
+    -- | η = Q\/E², Carter's constant over the squared energy.
+    rayEta :: {-# UNPACK #-} !Double,
+    -- | The frequency that the observer measures over that at infinity: the shift
+    -- of light from the sky.
+    rayObserved :: {-# UNPACK #-} !Double
+  }
+  deriving (Eq, Show)
+
+-- | The ray that an observer sees in a direction. 'Nothing' where no such
+-- observer can be (at rest inside the ergosphere, on an orbit faster than light,
+-- on or inside the horizon unless in free fall), and where an observer inside
+-- the horizon looks at darkness because no light from outside arrives.
+--
+-- With @v@ the observer's azimuthal speed past the zero-angular-momentum observer
+-- of the place (lapse α, frame dragging ω, circumferential radius ϖ), light of
+-- frequency 1 has @E = γ[α(1 − v n_φ) − ωϖ(n_φ − v)]@ and
+-- @λ = −ϖγ(n_φ − v)\/E@ (Bardeen, Press and Teukolsky 1972, section III).
+lightRay :: Spin -> Place -> Motion -> Direction -> Maybe LightRay
+lightRay hole (Place r polarAngle) motion (Direction nr ntheta nphi) = case motion of
+  AtRest
+    | r > ergosphereRadius hole c -> turning (negate (omega * varpi) / alpha)
+  ZeroAngularMomentum
+    | outside -> turning 0
+  OnOrbit handedness
+    | outside, q2 > 0 -> turning (varpi * (orbitalRate handedness - omega) / alpha)
+  InFreeFall
+    | r > 0 ->
+      let infall = sqrt (r * (r * r + a * a))
+          energy = 1 + infall / sqrt area * nr - a * r * s * nphi / sqrt (area * sigma)
+       in scaled energy (infall + nr * sqrt area) (negate (sqrt (area / sigma)) * nphi)
+  _ -> Nothing
+  where
+    a = spinLength hole
+    c = cos polarAngle
+    -- On the axis the directions e_θ and e_φ are limits. A sine too small to
+    -- matter takes the limit without a special case.
+    s = max 1e-100 (sin polarAngle)
+    outside = r > horizonRadius hole
+    sigma = r * r + a * a * c * c
+    delta = (r - horizonRadius hole) * (r - innerHorizonRadius hole)
+    area = (r * r + a * a) * (r * r + a * a) - a * a * delta * s * s
+    omega = a * r / area
+    alpha = sqrt (sigma * delta / area)
+    varpi = s * sqrt (area / sigma)
+    q2 = (r * r - a * a * c * c) / (sigma * sigma)
+    orbitalRate handedness = case handedness of
+      RightHanded -> sqrt q2 / (s * (sqrt (2 * r) + a * sqrt q2 * s))
+      LeftHanded -> negate (sqrt q2) / (s * (sqrt (2 * r) - a * sqrt q2 * s))
+    turning v
+      | v * v < 1 =
+        let gamma = 1 / sqrt ((1 - v) * (1 + v))
+            energy = gamma * (alpha * (1 - v * nphi) - omega * varpi * (nphi - v))
+         in scaled energy (nr * sqrt (sigma * delta)) (negate (sqrt (area / sigma)) * gamma * (nphi - v))
+      | otherwise = Nothing
+    -- The radial rate and λ / sin θ, both for unit frequency at the observer.
+    scaled energy radialRate lambdaOverSine
+      | energy > 0 =
+        let thetaRate = ntheta * sqrt sigma / energy
+            l = lambdaOverSine / energy
+         in Just
+              LightRay
+                { rayRadius = r,
+                  rayCosine = c,
+                  raySine = s,
+                  rayRadialRate = radialRate / energy,
+                  rayPolarRate = thetaRate,
+                  rayLambda = l * s,
+                  rayEta = thetaRate * thetaRate + c * c * (l * l - a * a),
+                  rayObserved = 1 / energy
+                }
+      | otherwise = Nothing
