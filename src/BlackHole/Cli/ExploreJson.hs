@@ -35,7 +35,7 @@ replyJson reply = case reply of
       "scene"
       [ ("input", Whole input),
         ("preset", Text preset),
-        ("values", Object [(fieldPath f, Text (valueText v)) | f <- sceneFields, Just v <- [fieldGet f scene]]),
+        ("values", valuesJson scene),
         ("idle", Object [(fieldPath f, Text (needed condition)) | f <- sceneFields, Just condition <- [unmetCondition scene (fieldPath f)]])
       ]
   Refused input problems -> kind "refused" [("input", maybe Null Whole input), ("lines", texts problems)]
@@ -82,10 +82,14 @@ tableJson software (preset, _) =
       ("start", Text preset),
       ("topics", List [Text (topicName topic) | topic <- [minBound .. maxBound]]),
       ("settings", List (map settingJson sceneFields)),
-      ("presets", List [Object [("name", Text (presetName p)), ("shows", Text (presetShows p))] | p <- describedPresets]),
+      ("presets", List [Object [("name", Text (presetName p)), ("shows", Text (presetShows p)), ("values", valuesJson (presetScene p))] | p <- describedPresets]),
       ("interpolations", List [Text name | (name, _) <- interpolations]),
       ("extensions", List [Text extension | (extension, _) <- formatExtensions])
     ]
+
+-- | The values of a scene by path, as text.
+valuesJson :: Scene -> Json
+valuesJson scene = Object [(fieldPath f, Text (valueText v)) | f <- sceneFields, Just v <- [fieldGet f scene]]
 
 settingJson :: Field -> Json
 settingJson f =
@@ -118,11 +122,11 @@ kindMembers kind = case kind of
     least end = case end of
       Anything -> []
       From v -> [("least", Number v)]
-      Above v -> [("least", Number v)]
+      Above v -> [("least", Number v), ("above", Truth True)]
     most end = case end of
       Endless -> []
       UpTo v -> [("most", Number v)]
-      Below v -> [("most", Number v)]
+      Below v -> [("most", Number v), ("below", Truth True)]
 
 sliderJson :: Slider -> Json
 sliderJson (Straight low high) = Object [("scale", Text "linear"), ("low", Number low), ("high", Number high), ("zero", Truth False)]

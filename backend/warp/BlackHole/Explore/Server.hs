@@ -12,6 +12,7 @@ where
 import BlackHole.Explore.Service
 import Control.Exception (IOException, bracket, bracketOnError, catch, try)
 import qualified Data.ByteString as Bytes
+import qualified Data.ByteString.Char8 as Char8
 import Network.HTTP.Types
 import qualified Network.Socket as Socket
 import Network.Wai
@@ -38,7 +39,7 @@ serve = Just $ \wanted serviceAt started -> do
               . setHost "127.0.0.1"
               . setPort port
               $ defaultSettings
-      Right <$> runSettingsSocket settings bound (application (serviceAt port))
+      Right <$> runSettingsSocket settings bound (application port (serviceAt port))
 
 listening :: Maybe Int -> IO Socket.Socket
 listening wanted = bracketOnError (Socket.socket Socket.AF_INET Socket.Stream Socket.defaultProtocol) Socket.close $ \socket -> do
@@ -48,10 +49,10 @@ listening wanted = bracketOnError (Socket.socket Socket.AF_INET Socket.Stream So
   Socket.listen socket 64
   pure socket
 
-application :: Service -> Application
-application service request respond = case websocketsApp options talk request of
+application :: Int -> Service -> Application
+application port service request respond = case websocketsApp options talk request of
   Just upgraded -> respond upgraded
-  Nothing -> serviceAnswer service asked >>= respond . answered
+  Nothing -> serviceAnswer service asked >>= respond . answered port
   where
     asked =
       Asked
@@ -87,23 +88,26 @@ application service request respond = case websocketsApp options talk request of
 hOrigin :: HeaderName
 hOrigin = "Origin"
 
-answered :: Answer -> Response
-answered answer = case answer of
-  Content kind bytes -> responseLBS status200 (("Content-Type", kind) : guards) bytes
+answered :: Int -> Answer -> Response
+answered port answer = case answer of
+  Content kind bytes -> responseLBS status200 (("Content-Type", kind) : guards port) bytes
   Forbidden -> plain status403 "Forbidden\n"
   Missing -> plain status404 "Not found\n"
   WrongMethod -> plain status405 "Method not allowed\n"
   where
-    plain status = responseLBS status (("Content-Type", "text/plain") : guards)
+    plain status = responseLBS status (("Content-Type", "text/plain") : guards port)
 
 -- | Headers that keep the page to itself: it may load nothing from elsewhere, no other
 -- page may frame it or read from it, and links do not tell its address.
-guards :: [(HeaderName, Bytes.ByteString)]
-guards =
-  [ ("Content-Security-Policy", "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"),
+guards :: Int -> [(HeaderName, Bytes.ByteString)]
+guards port =
+  [ ("Content-Security-Policy", "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; connect-src 'self' " <> socketOn "127.0.0.1" <> " " <> socketOn "localhost" <> "; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"),
     ("X-Content-Type-Options", "nosniff"),
     ("Referrer-Policy", "no-referrer"),
     ("Cross-Origin-Resource-Policy", "same-origin"),
     ("Cross-Origin-Opener-Policy", "same-origin"),
     ("Cache-Control", "no-store")
   ]
+  where
+    -- Not every browser counts a WebSocket as 'self'.
+    socketOn name = "ws://" <> name <> ":" <> Char8.pack (show port)
