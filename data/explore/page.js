@@ -114,6 +114,10 @@ function receive(message) {
     case 'refused':
       toast(message.lines.join('\n'), true);
       stats.errors.push(message.lines.join('; '));
+      if (message.input) {
+        confirmed = Math.max(confirmed, message.input);
+        stats.input = Math.max(stats.input, message.input);
+      }
       return refresh();
     case 'pixel': return showPixel(message);
     case 'command': return copyCommand(message);
@@ -131,7 +135,7 @@ function showScene(message) {
   values = message.values;
   idle = message.idle;
   preset = message.preset;
-  confirmed = message.input;
+  confirmed = Math.max(confirmed, message.input);
   refresh();
   remember();
   if (!steps.length) push('Start');
@@ -250,6 +254,7 @@ async function showFrame(data) {
       newest = frame;
       drawPicture(picture, width, height);
       report(stage, done, width, height, seen);
+      if (stage === 2) stats.finished = new Blob([new Uint8Array(data, 16)], { type: kind });
     }
     picture.close();
   } catch (problem) {
@@ -1071,6 +1076,19 @@ async function begin() {
 }
 
 // For tests and measurements.
-window.explore = { stats, get values() { return values; }, get idle() { return idle; }, get steps() { return steps; }, get step() { return step; }, get keys() { return keys; }, get socket() { return socket; }, act, change, send };
+window.explore = {
+  stats, act, change, send, resize: () => sendWindow(true),
+  get values() { return values; },
+  get idle() { return idle; },
+  get steps() { return steps; },
+  get step() { return step; },
+  get keys() { return keys; },
+  get socket() { return socket; },
+  get input() { return input; },
+  // Whether every input has been answered, with its scene and with a final picture.
+  settledScene: () => !waiting.scheduled && confirmed >= input,
+  settled: () => !waiting.scheduled && confirmed >= input && stats.input >= input && stats.stage === 2
+};
+window.choosePanel = choose;
 
 begin().catch(problem => { $('status').textContent = String(problem); });

@@ -66,34 +66,43 @@ data Message
 maximumWindowSide :: Int
 maximumWindowSide = 7680
 
--- | The message of some bytes, which are UTF-8, or what is wrong with them.
-parseMessage :: Bytes.ByteString -> Either String Message
+-- | The message of some bytes, which are UTF-8; or what is wrong with them, and the
+-- number of the input if they have one.
+parseMessage :: Bytes.ByteString -> Either (Maybe Input, String) Message
 parseMessage bytes = case lines (Text.unpack (Text.decodeUtf8With Text.lenientDecode bytes)) of
-  [] -> Left "an empty message"
-  first : rest -> case splitOn ' ' first of
-    ["window", w, h] -> Window <$> wholeWithin 1 maximumWindowSide w <*> wholeWithin 1 maximumWindowSide h <* none rest
-    ["drawn", n] -> Drawn <$> count n <* none rest
-    ["change", n] -> Change <$> count n <*> settings rest
-    ["restore", n, preset] -> Restore <$> count n <*> pure preset <*> settings rest
-    ["preset", n, name] -> LoadPreset <$> count n <*> pure name <* none rest
-    ["orbit", n, azimuth, inclination] -> steering n rest (OrbitHole <$> within (-3600) 3600 azimuth <*> within (-3600) 3600 inclination)
-    ["approach", n, factor] -> steering n rest (Approach <$> within 0.01 100 factor)
-    ["look", n, right, up] -> steering n rest (LookAround <$> within (-3600) 3600 right <*> within (-3600) 3600 up)
-    ["roll", n, angle] -> steering n rest (RollBy <$> within (-3600) 3600 angle)
-    ["face", n] -> steering n rest (Right FaceHole)
-    ["inspect", x, y] -> Inspect <$> within 0 1 x <*> within 0 1 y <* none rest
-    ["command"] -> AskCommand <$ none rest
-    "save-scene" : how : name -> SaveScene <$> overwriting how <*> fileName name <* none rest
-    ["film", duration, rate, way] -> DefineFilm <$> (Timeline <$> within 0.01 3600 duration <*> within 0.1 240 rate <*> interpolation way <*> keys rest)
-    "save-film" : how : name -> SaveFilm <$> overwriting how <*> fileName name <* none rest
-    ["scrub", n, seconds] -> Scrub <$> count n <*> within 0 3600 seconds <* none rest
-    "render" : how : name -> RenderFile <$> overwriting how <*> fileName name <* none rest
-    ["cancel"] -> CancelRender <$ none rest
-    word : _ -> Left ("no message: " ++ shown word)
-    [] -> Left "an empty message"
+  [] -> Left (Nothing, "an empty message")
+  first : rest -> either (Left . (,) (numbered (splitOn ' ' first))) Right (messageOf (splitOn ' ' first) rest)
   where
-    none rest = if null rest then Right () else Left "a message with too many lines"
-    steering n rest how = Steer <$> count n <*> how <* none rest
+    numbered line = case line of
+      word : n : _ | word `elem` ["change", "restore", "preset", "orbit", "approach", "look", "roll", "face", "scrub"], Right input <- count n -> Just input
+      _ -> Nothing
+
+-- | The message of the words of the first line, and of the other lines.
+messageOf :: [String] -> [String] -> Either String Message
+messageOf first rest = case first of
+  ["window", w, h] -> Window <$> wholeWithin 1 maximumWindowSide w <*> wholeWithin 1 maximumWindowSide h <* none
+  ["drawn", n] -> Drawn <$> count n <* none
+  ["change", n] -> Change <$> count n <*> settings rest
+  ["restore", n, preset] -> Restore <$> count n <*> pure preset <*> settings rest
+  ["preset", n, name] -> LoadPreset <$> count n <*> pure name <* none
+  ["orbit", n, azimuth, inclination] -> steering n (OrbitHole <$> within (-3600) 3600 azimuth <*> within (-3600) 3600 inclination)
+  ["approach", n, factor] -> steering n (Approach <$> within 0.01 100 factor)
+  ["look", n, right, up] -> steering n (LookAround <$> within (-3600) 3600 right <*> within (-3600) 3600 up)
+  ["roll", n, angle] -> steering n (RollBy <$> within (-3600) 3600 angle)
+  ["face", n] -> steering n (Right FaceHole)
+  ["inspect", x, y] -> Inspect <$> within 0 1 x <*> within 0 1 y <* none
+  ["command"] -> AskCommand <$ none
+  "save-scene" : how : name -> SaveScene <$> overwriting how <*> fileName name <* none
+  ["film", duration, rate, way] -> DefineFilm <$> (Timeline <$> within 0.01 3600 duration <*> within 0.1 240 rate <*> interpolation way <*> keys rest)
+  "save-film" : how : name -> SaveFilm <$> overwriting how <*> fileName name <* none
+  ["scrub", n, seconds] -> Scrub <$> count n <*> within 0 3600 seconds <* none
+  "render" : how : name -> RenderFile <$> overwriting how <*> fileName name <* none
+  ["cancel"] -> CancelRender <$ none
+  word : _ -> Left ("no message: " ++ shown word)
+  [] -> Left "an empty message"
+  where
+    none = if null rest then Right () else Left "a message with too many lines"
+    steering n how = Steer <$> count n <*> how <* none
     overwriting how = case how of
       "keep" -> Right KeepFile
       "replace" -> Right ReplaceFile

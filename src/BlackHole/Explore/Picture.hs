@@ -69,7 +69,11 @@ quickly studio quality scene film = do
   codes <- developFilm workers (sceneExposure scene) (sceneToneMap scene) (sceneDither scene) bloomed
   pure (encodeJpeg quality (Label (studioSoftware studio) defaultCoding Bytes.empty) codes)
   where
-    workers = studioWorkers studio
+    -- Workers that wait for each other take longer than the work on a small picture,
+    -- above all where other programs want the processors too.
+    workers
+      | shapeLength (pixelArrayShape film) < 400000 = oneWorker
+      | otherwise = studioWorkers studio
 
 -- | The film of a scene with its own sampling, and the numbers of samples of its pixels.
 -- After each band of rows the callback receives the finished fraction and the picture so

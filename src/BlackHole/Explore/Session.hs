@@ -63,7 +63,7 @@ converse hall conversation = bracket_ (count 1) (count (-1)) $ do
       refuse input = deliver . TextMessage . hallText hall . Refused (Just input) . pure
       easel = Easel (hallStudio hall) wanted sent drawn (deliver . BinaryMessage . frameBytes) refuse
       page = Page hall easel film inspector deliver
-  let listen = hear conversation >>= mapM_ (\bytes -> either (tell page . Refused Nothing . pure) (obey page) (parseMessage bytes) >> listen)
+  let listen = hear conversation >>= mapM_ (\bytes -> either (\(input, fault) -> tell page (Refused input [fault])) (obey page) (parseMessage bytes) >> listen)
   (listen `race_` paint easel `race_` announce page `race_` reportJob page) `finally` (readTVarIO (pageInspector page) >>= mapM_ cancel)
   where
     count n = atomically (modifyTVar' (hallPages hall) (+ n))
