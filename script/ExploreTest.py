@@ -32,7 +32,14 @@ def check(what, holds, seen=''):
     print(f'ok       {what}', flush=True)
 
 
-def until(what, action, seconds=30):
+def until(what, action, seconds=60):
+    """Check that an action has a true value before long, and return that."""
+    value = wait_for(what, action, seconds)
+    print(f'ok       {what}', flush=True)
+    return value
+
+
+def wait_for(what, action, seconds=60):
     """The first true value of an action, which is tried until then."""
     end = time.time() + seconds
     while True:
@@ -95,7 +102,7 @@ class Page:
         self.driver = webdriver.Chrome(service=Service(shutil.which('chromedriver')), options=options)
         self.resize(width, height, ratio, mobile)
         self.driver.get(address)
-        until('the page begins', lambda: self.js('return window.explore && explore.steps.length'))
+        wait_for('the page begins', lambda: self.js('return window.explore && explore.steps.length'))
 
     def resize(self, width, height, ratio=1, mobile=False):
         self.driver.execute_cdp_cmd('Emulation.setDeviceMetricsOverride', {
@@ -115,7 +122,7 @@ class Page:
         def done():
             s = self.stats()
             return s['stage'] == 2 and self.js('return explore.settled()')
-        until('the picture is finished', done, seconds)
+        wait_for('the picture is finished', done, seconds)
 
     def finished(self):
         """The bytes of the final picture."""
@@ -178,11 +185,11 @@ class Page:
         return self.js('return [...document.querySelectorAll("#toasts p")].map(p => p.textContent)')
 
     def said(self, part):
-        return until(f'the page says "{part}"', lambda: next((t for t in self.toasts() if part in t), None))
+        return wait_for(f'the page says "{part}"', lambda: next((t for t in self.toasts() if part in t), None))
 
     def answer(self, name, button='#ask-yes'):
         """Fill in the question for a file's name."""
-        until('a question is open', lambda: self.js('return document.getElementById("ask").open'))
+        wait_for('a question is open', lambda: self.js('return document.getElementById("ask").open'))
         self.js('document.getElementById("ask-name").focus(); document.getElementById("ask-name").select()')
         self.type(name)
         self.click(button)
@@ -256,7 +263,7 @@ def movement(program, page):
 
 def controls(program, page):
     page.js('explore.act("preset", ["default"])')
-    until('a preset', lambda: page.value('camera.distance') == '54')
+    wait_for('a preset', lambda: page.value('camera.distance') == '54')
     page.enter('camera.distance', '30')
     until('a number', lambda: page.value('camera.distance') == '30')
     page.enter('camera.inclination', '500')
@@ -313,7 +320,7 @@ def development(program, page):
     page.mouse('mouseReleased', box[0] + box[2] * 0.52, box[1] + box[3] / 2)
     until('the exposure control works', lambda: float(page.value('output.exposure')) > 0)
     before = page.js('return explore.stats.drawn.length')
-    until('an exposed picture comes', lambda: page.stats()['input'] >= page.js('return explore.input'))
+    wait_for('an exposed picture comes', lambda: page.stats()['input'] >= page.js('return explore.input'))
     first = page.js('return explore.stats.drawn.filter(d => d.input === explore.input)[0]')
     check('another exposure needs no coarse picture', first['stage'] == 1 and first['width'] > 800, first)
     check('the histogram counts', '%' in page.text('#clipped'), page.text('#clipped'))
@@ -322,7 +329,7 @@ def development(program, page):
 
 def inspection(program, page):
     page.js('explore.act("preset", ["default"])')
-    until('the default', lambda: page.value('output.exposure') == '0')
+    wait_for('the default', lambda: page.value('output.exposure') == '0')
     page.settled()
     x, y = middle(page)
     page.drag(x + 100, y + 20, 0, 0, steps=1)
@@ -331,7 +338,7 @@ def inspection(program, page):
     check('the report is that of --pixel', page.text('#report').strip() == program.run('render', '--pixel', place).strip())
     check('the light path is drawn', page.js('return document.querySelector("#side polyline").points.length') > 50)
     page.js('explore.act("preset", ["kerr"])')
-    until('a rotating hole', lambda: page.value('hole.spin') not in ('0', None))
+    wait_for('a rotating hole', lambda: page.value('hole.spin') not in ('0', None))
     page.js('document.getElementById("report").textContent = ""')
     page.key('Enter')
     until('Enter explains the middle', lambda: 'pixel' in page.text('#report'))
@@ -340,10 +347,10 @@ def inspection(program, page):
 
 def take_home(program, page):
     page.js('choosePanel("settings"); explore.act("preset", ["luminet"])')
-    until('luminet', lambda: page.value('disk.colour') == 'bolometric')
+    wait_for('luminet', lambda: page.value('disk.colour') == 'bolometric')
     page.enter('image.width', '160')
     page.enter('camera.inclination', '70')
-    until('its settings', lambda: page.value('image.height') == '90' and page.value('camera.inclination') == '70')
+    wait_for('its settings', lambda: page.value('image.height') == '90' and page.value('camera.inclination') == '70')
     page.click('#copy')
     command = page.said('blackhole render').split(': ', 1)[1]
     check('the command line is short', command == 'blackhole render --preset luminet --inclination 70 --width 160', command)
@@ -363,10 +370,10 @@ def take_home(program, page):
     old = program.read('mine.yaml')
     page.click('#ask-no')
     page.enter('camera.inclination', '71')
-    until('another inclination', lambda: page.value('camera.inclination') == '71')
+    wait_for('another inclination', lambda: page.value('camera.inclination') == '71')
     page.click('#save')
     page.answer('mine.yaml')
-    until('it asks', lambda: page.text('#ask-yes') == 'Replace')
+    wait_for('it asks', lambda: page.text('#ask-yes') == 'Replace')
     page.click('#ask-yes')
     until('it is replaced when asked', lambda: program.read('mine.yaml') != old)
     for name in ('../out.yaml', '/tmp/out.yaml', '.hidden.yaml', 'out.txt'):
@@ -379,13 +386,13 @@ def take_home(program, page):
     check('no link leads out of it', not os.path.exists('/tmp/explore-target.yaml'))
     page.enter('disk.arms.depth', '0.4')
     page.js('explore.act("preset", ["default"])')
-    until('default', lambda: page.value('disk.colour') == 'black-body')
+    wait_for('default', lambda: page.value('disk.colour') == 'black-body')
     page.enter('disk.arms.depth', '0.4')
     until('a setting without an option', lambda: page.value('disk.arms.depth') == '0.4')
     page.click('#copy')
     check('what only a file can hold is said', 'disk.arms.depth' in page.said('Only a scene file'))
     page.enter('image.width', '1600')
-    until('a large picture', lambda: page.value('image.width') == '1600')
+    wait_for('a large picture', lambda: page.value('image.width') == '1600')
     page.click('#render')
     page.answer('large.png')
     until('a rendering shows its progress', lambda: page.js('const b = document.getElementById("job-bar"); return !document.getElementById("job").hidden && b.value > 0 && b.value < 1'), 60)
@@ -397,13 +404,13 @@ def take_home(program, page):
 def film(program, page):
     page.js('explore.act("preset", ["default"])')
     page.enter('image.width', '96')
-    until('a small film', lambda: page.value('image.width') == '96')
+    wait_for('a small film', lambda: page.value('image.width') == '96')
     page.click('#key-add')
     until('a key is set', lambda: page.js('return explore.keys.length') == 1)
     page.js('const s = document.getElementById("scrub"); s.value = 1000; s.dispatchEvent(new Event("input")); s.dispatchEvent(new Event("change"))')
     page.enter('camera.distance', '30')
     page.enter('camera.azimuth', '130')
-    until('another view', lambda: page.value('camera.azimuth') == '130' and page.value('camera.distance') == '30')
+    wait_for('another view', lambda: page.value('camera.azimuth') == '130' and page.value('camera.distance') == '30')
     page.js('document.body.focus()')
     page.key('k', 'KeyK')
     until('K sets another', lambda: page.js('return explore.keys.length') == 2)
@@ -426,7 +433,7 @@ def film(program, page):
     page.answer('film.yaml')
     page.said('Saved film.yaml')
     check('the film is sound', 'no problems' in program.run('scene', 'check', 'film.yaml'))
-    program.run('animate', 'film.yaml', '--frame-range', '0..1', '-q', '-o', 'frames/%03d.png')
+    program.run('animate', 'film.yaml', '--frame-range', '0-1', '-q', '-o', 'frames/%03d.png')
     check('and animate renders it', len(program.read('frames/001.png')) > 1000)
     check('it has the keys', 'camera.distance:\n      interpolation: smooth\n      0: 54\n' in program.read('film.yaml').decode())
     page.js('document.querySelector("#keys button").focus()')
@@ -449,7 +456,7 @@ def two_pages(program, page):
 
 def interruptions(program, page):
     page.enter('camera.distance', '44')
-    until('a scene to keep', lambda: page.value('camera.distance') == '44')
+    wait_for('a scene to keep', lambda: page.value('camera.distance') == '44')
     page.js('explore.socket.close()')
     until('the page notices', lambda: not page.js('return document.getElementById("lost").hidden'))
     until('the page comes back', lambda: page.js('return document.getElementById("lost").hidden && explore.socket.readyState === 1'))
@@ -463,7 +470,7 @@ def interruptions(program, page):
     page.settled()
     check('a stalled program catches up', page.value('camera.azimuth') != '90', page.value('camera.azimuth'))
     page.driver.refresh()
-    until('a reload', lambda: page.js('return window.explore && explore.steps.length'))
+    wait_for('a reload', lambda: page.js('return window.explore && explore.steps.length'))
     check('a reload keeps the scene', page.value('camera.distance') == '44')
 
 
@@ -512,7 +519,7 @@ def nonsense(program, page, count=1000):
         explore.socket.send([line, ...more].join("\\n"));
       }''', count)
     page.js('explore.act("preset", ["default"]); explore.resize()')
-    until('the default after nonsense', lambda: page.value('camera.distance') == '54')
+    wait_for('the default after nonsense', lambda: page.value('camera.distance') == '54')
     page.settled()
     check(f'{count} random messages do no harm', program.process.poll() is None)
     page.js('document.getElementById("toasts").replaceChildren()')
@@ -533,7 +540,7 @@ def accessibility(program, page):
     seen = set()
     for _ in range(400):
         page.key('Tab')
-        here = page.js('const e = document.activeElement; return e === document.body ? null : (e.id || e.closest("[data-path]")?.dataset.path || e.textContent)')
+        here = page.js('const e = document.activeElement; return e === document.body ? null : (e.closest("#groups [data-path]")?.dataset.path || e.id || e.textContent)')
         if here is None or (here == 'view' and 'view' in seen and len(seen) > 40):
             break
         seen.add(here)
@@ -545,7 +552,7 @@ def accessibility(program, page):
       const ground = e => { for (; e; e = e.parentElement) { const c = parse(getComputedStyle(e).backgroundColor); if (c.length === 3 || c[3] > 0.5) return c } return [0, 0, 0] };
       const found = [];
       for (const e of document.querySelectorAll("button, label, p, span, h1, summary, figcaption, small, input, select, output")) {
-        if (!e.offsetParent || e.disabled || e.closest(".idle") || ![...e.childNodes].some(n => n.nodeType === 3 && n.data.trim()) && !e.value) continue;
+        if (!e.offsetParent || e.disabled || e.type === "range" || e.type === "checkbox" || e.closest(".idle") || ![...e.childNodes].some(n => n.nodeType === 3 && n.data.trim()) && !e.value) continue;
         const a = light(parse(getComputedStyle(e).color)), b = light(ground(e));
         const ratio = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
         if (ratio < 4.5) found.push([e.id || e.textContent.slice(0, 30), ratio.toFixed(2)]);
@@ -554,12 +561,12 @@ def accessibility(program, page):
     check('text has a contrast of at least 4.5', low == [], low)
     check('1280 × 720 shows everything without scrolling', page.js('return document.documentElement.scrollHeight <= 720 && document.documentElement.scrollWidth <= 1280'))
     page.resize(390, 844, 2, True)
-    until('a phone', lambda: page.js('return innerWidth') == 390)
+    wait_for('a phone', lambda: page.js('return innerWidth') == 390)
     time.sleep(0.5)
     check('nothing is wider than a phone', page.js('return document.documentElement.scrollWidth') <= 390, page.js(
         'return [...document.querySelectorAll("body *")].filter(e => e.getBoundingClientRect().right > 391 && e.offsetParent).slice(0, 5).map(e => e.id || e.className || e.tagName)'))
     page.resize(1280, 720)
-    until('a window again', lambda: page.js('return innerWidth') == 1280)
+    wait_for('a window again', lambda: page.js('return innerWidth') == 1280)
 
 
 def soak(program, page, seconds):
@@ -594,7 +601,7 @@ def soak(program, page, seconds):
     print(f'         memory: at most {early:.0f} MB in the first quarter, {late:.0f} MB in the last', flush=True)
     check('memory is flat', late < 1.25 * early + 40, (early, late))
     page.js('explore.act("preset", ["default"]); document.getElementById("toasts").replaceChildren()')
-    until('the default after the soak', lambda: page.value('camera.distance') == '54')
+    wait_for('the default after the soak', lambda: page.value('camera.distance') == '54')
     page.settled()
 
 
@@ -662,22 +669,22 @@ def pictures(binary, folder):
         page.js('document.querySelectorAll("details").forEach(d => { d.open = d.textContent.startsWith("Camera") })')
         shot('explore.jpg')
         page.js('choosePanel("presets"); document.querySelectorAll("#presets img").forEach(i => { i.loading = "eager" })')
-        until('presets', lambda: page.js('return [...document.querySelectorAll("#presets img")].every(i => i.complete && i.naturalWidth === 240)'), 120)
+        wait_for('presets', lambda: page.js('return [...document.querySelectorAll("#presets img")].every(i => i.complete && i.naturalWidth === 240)'), 120)
         page.click('#presets button[data-name="kerr"]')
         time.sleep(1)
         page.settled()
         shot('explore-presets.jpg')
         x, y = middle(page)
         page.drag(x - 180, y + 12, 0, 0, steps=1)
-        until('a pixel', lambda: page.text('#report').startswith('pixel '))
+        wait_for('a pixel', lambda: page.text('#report').startswith('pixel '))
         time.sleep(0.5)
         shot('explore-pixel.jpg')
         page.js('explore.act("preset", ["default"]); choosePanel("settings")')
-        until('default', lambda: page.value('camera.distance') == '54')
+        wait_for('default', lambda: page.value('camera.distance') == '54')
         page.click('#key-add')
         for at, changes in ((400, ('camera.distance 30', 'camera.azimuth 130')), (1000, ('camera.distance 14', 'camera.azimuth 200', 'camera.inclination 84'))):
             page.js('const s = document.getElementById("scrub"); s.value = arguments[0]; s.dispatchEvent(new Event("input")); explore.act("change", [], arguments[1])', at, list(changes))
-            until('its scene', lambda: page.value('camera.azimuth') == changes[1].split()[1])
+            wait_for('its scene', lambda: page.value('camera.azimuth') == changes[1].split()[1])
             page.click('#key-add')
         page.js('const s = document.getElementById("scrub"); s.value = 620; s.dispatchEvent(new Event("input"))')
         time.sleep(1)

@@ -19,6 +19,7 @@ let idle = {};                 // settings without effect, with what they need
 let preset = 'default';
 let socket = null;
 let input = 0;                 // number of the latest input sent
+let awaited = 0;               // scenes of earlier inputs are those of a new connection
 let confirmed = 0;             // number of the latest input whose scene has come back
 let size = [0, 0];             // of the latest picture
 let retry = 250;
@@ -90,7 +91,10 @@ function connect() {
     retry = 250;
     $('lost').hidden = true;
     sendWindow(true);
-    if (Object.keys(values).length) act('restore', [preset], linesOf(values));
+    if (Object.keys(values).length) {
+      act('restore', [preset], linesOf(values));
+      awaited = input;
+    }
     if (keys.length) defineFilm();
   };
   socket.onmessage = event => {
@@ -132,6 +136,11 @@ function receive(message) {
 // Scene and history
 
 function showScene(message) {
+  if (message.input < awaited) return;
+  if (inspected && !same(values, message.values)) {
+    inspected = null;
+    placeMark();
+  }
   values = message.values;
   idle = message.idle;
   preset = message.preset;
@@ -300,7 +309,8 @@ function report(stage, done, width, height, seen) {
   stats.input = Math.max(stats.input, seen);
   const word = ['moving', done > 0 ? 'refining, ' + Math.round(100 * done) + ' %' : 'refining', 'finished'][stage];
   $('status').textContent = `${width} × ${height} · ${word}`;
-  $('progress').firstElementChild.style.width = stage === 1 ? 100 * done + '%' : '0';
+  $('progress').hidden = stage !== 1;
+  $('progress').firstElementChild.style.width = 100 * done + '%';
 }
 
 // The codes of the picture on the display, as in photo editors.
@@ -330,7 +340,7 @@ function drawHistogram(picture) {
   // The dark sky would leave nothing of the rest.
   const top = Math.log1p(Math.max(...bins.map(b => Math.max(...b.subarray(1)))) || 1);
   bins.forEach((b, c) => {
-    ink.fillStyle = ['#d0342c', '#2f9e44', '#3b6fe0'][c];
+    ink.fillStyle = ['rgb(158 32 28)', 'rgb(28 126 38)', 'rgb(26 54 148)'][c];
     ink.beginPath();
     ink.moveTo(0, h);
     b.forEach((n, k) => ink.lineTo((k + 0.5) * w / 64, h - Math.min(1, Math.log1p(n) / top) * (h - 4)));
