@@ -45,7 +45,7 @@ import Data.Char (isDigit)
 import Data.List (intercalate, stripPrefix)
 import Data.Maybe (fromMaybe, mapMaybe)
 import Foreign.C (throwErrnoIfMinus1, withCString)
-import GHC.IO.Handle.Lock (FileLockingNotSupported (..), LockMode (ExclusiveLock), hLock)
+import GHC.IO.Handle.Lock (FileLockingNotSupported (..), LockMode (ExclusiveLock), hLock, hUnlock)
 import System.Directory (removeFile)
 import System.Environment (lookupEnv)
 import System.FilePath ((</>))
@@ -287,13 +287,17 @@ temporaryName purpose holder = do
 -- | Runs an action with the folder's lock. On a file system without locks it runs
 -- without one, protected only by the exclusive creation of leases.
 locked :: LeaseFolder -> IO a -> IO a
-locked (LeaseFolder folder _ _) action = bracket open hClose $ \handle ->
-  (hLock handle ExclusiveLock `catch` unsupported `catch` refused) >> action
+locked (LeaseFolder folder _ _) action = bracket open close $ \handle ->
+  ifSupported (hLock handle ExclusiveLock) >> action
   where
     -- The run-time system allows only one thread to open a file for writing.
     open =
       openFile (folder </> "lock") ReadWriteMode `catch` \refusal ->
         if isAlreadyInUseError refusal then threadDelay 1000 >> open else throwIO refusal
+    -- A program started in the meantime, such as ffmpeg, has inherited the open file,
+    -- and closing it here alone would leave the lock to that program.
+    close handle = ifSupported (hUnlock handle) >> hClose handle
+    ifSupported attempt = attempt `catch` unsupported `catch` refused
     unsupported :: FileLockingNotSupported -> IO ()
     unsupported _ = pure ()
     refused :: IOException -> IO ()

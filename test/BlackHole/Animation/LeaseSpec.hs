@@ -2,12 +2,17 @@ module BlackHole.Animation.LeaseSpec (spec) where
 
 import BlackHole.Animation.Lease
 import Control.Concurrent (threadDelay)
-import Control.Concurrent.Async (forConcurrently)
-import Control.Monad (forM_, when)
+import Control.Concurrent.Async (forConcurrently, wait, withAsync)
+import Control.Monad (forM_, unless, when)
 import Data.Time.Clock (addUTCTime)
 import System.Directory
+import System.FilePath ((</>))
+import System.IO (IOMode (ReadWriteMode), openFile)
 import System.IO.Temp (withSystemTempDirectory)
-import System.Process (createProcess, getPid, proc, waitForProcess)
+import System.Posix.Files (createNamedPipe)
+import System.Posix.IO (FdOption (CloseOnExec), closeFd, handleToFd, setFdOption)
+import System.Process (createProcess, getPid, proc, waitForProcess, withCreateProcess)
+import System.Timeout (timeout)
 import Test.Hspec
 
 spec :: Spec
@@ -33,6 +38,19 @@ spec = do
     takeLease (folder (elsewhere 1) 60) "a" `shouldReturn` Leased Nothing
     releaseLease (folder (elsewhere 2) 60) "a"
     liveHolder (folder (elsewhere 2) 60) "a" `shouldReturn` Just (Just (elsewhere 1))
+  it "leaves the folder unlocked to a program that was started meanwhile" . inFolder $ \path -> do
+    self <- currentHolder
+    let leases = path self 60
+    -- A lease in a pipe keeps its reader, who holds the folder's lock, waiting.
+    createNamedPipe (leaseFile leases "slow") 0o600
+    writer <- handleToFd =<< openFile (leaseFile leases "slow") ReadWriteMode
+    setFdOption writer CloseOnExec True
+    withAsync (releaseLease leases "slow") $ \releasing -> do
+      awaitFile (leaseFolderPath leases </> "lock")
+      withCreateProcess (proc "sleep" ["100"]) $ \_ _ _ _ -> do
+        closeFd writer
+        wait releasing
+        timeout 20000000 (releaseLease leases "other") `shouldReturn` Just ()
   it "is taken from a process of this machine that is gone" . inFolder $ \folder -> do
     self <- currentHolder
     gone <- deadProcess
@@ -99,6 +117,10 @@ spec = do
     awaitNewer old path = do
       touched <- getModificationTime path
       when (touched <= old) $ threadDelay 10000 >> awaitNewer old path
+    awaitFile path = do
+      exists <- doesFileExist path
+      threadDelay 20000
+      unless exists (awaitFile path)
     deadProcess = do
       (_, _, _, process) <- createProcess (proc "true" [])
       pid <- getPid process
