@@ -13,8 +13,6 @@ import BlackHole.Explore.Reply
 import BlackHole.Explore.Slider
 import BlackHole.Explore.Timeline (interpolations)
 import BlackHole.Image.Coding (formatExtensions)
-import BlackHole.Spacetime.Kerr.Landmarks (horizonRadius)
-import BlackHole.Spacetime.Types (Spacetime (..))
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Disk
 import BlackHole.Scene.Field.Condition
@@ -24,6 +22,8 @@ import BlackHole.Scene.Field.Number (splitOn)
 import BlackHole.Scene.Field.Table
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene
+import BlackHole.Spacetime.Kerr.Landmarks (horizonRadius)
+import BlackHole.Spacetime.Types (Spacetime (..))
 import BlackHole.Trace.Explain (Explanation (explainedPixel))
 import BlackHole.Vector.XYZ (XYZ (..))
 

@@ -23,9 +23,9 @@ import BlackHole.Render.PixelArray
 import BlackHole.Render.PixelShape
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
+import BlackHole.Trace.EnvironmentMap (EnvironmentMap)
 import BlackHole.Trace.Pixel
 import BlackHole.Trace.Sky (neededPicture)
-import BlackHole.Trace.EnvironmentMap (EnvironmentMap)
 import Control.Concurrent (threadDelay)
 import Control.Concurrent.Async
 import Control.Concurrent.STM

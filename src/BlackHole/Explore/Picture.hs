@@ -13,9 +13,9 @@ module BlackHole.Explore.Picture
 where
 
 import BlackHole.Image.Coding
-import BlackHole.Image.Write
 import BlackHole.Image.Jpeg
 import BlackHole.Image.Metadata
+import BlackHole.Image.Write
 import BlackHole.Light.Display (Exposure (..), ToneMap (..))
 import BlackHole.Light.Dither (Dither (..))
 import BlackHole.Render.Bloom
@@ -26,8 +26,8 @@ import BlackHole.Render.Shared (mapShared)
 import BlackHole.Render.Workers
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
-import BlackHole.Trace.Pixel
 import BlackHole.Trace.EnvironmentMap (EnvironmentMap)
+import BlackHole.Trace.Pixel
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.List.NonEmpty (NonEmpty (..))

@@ -4,13 +4,13 @@ module BlackHole.Explore.SightPath
   )
 where
 
-import BlackHole.Spacetime.Schwarzschild.Trajectory
+import BlackHole.Scene.Scene
 import BlackHole.Spacetime.Kerr.Path (Azimuth (..))
 import BlackHole.Spacetime.Kerr.PathReport
 import BlackHole.Spacetime.Observer
 import BlackHole.Spacetime.Photon
+import BlackHole.Spacetime.Schwarzschild.Trajectory
 import BlackHole.Spacetime.Types (Spacetime (Flat))
-import BlackHole.Scene.Scene
 import BlackHole.Trace.Pixel
 import BlackHole.Vector.XY (XY)
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))

@@ -22,8 +22,8 @@ import BlackHole.Scene.Problem
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Setting
 import BlackHole.Vector.XYZ (XYZ (..))
-import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.ByteString.Builder as Builder
+import qualified Data.ByteString.Lazy as Lazy
 import Data.List (intercalate, nub, sortOn)
 import Data.Maybe (mapMaybe)
 
@@ -101,7 +101,9 @@ sequenceLines timeline scene keys =
   where
     tracks = mapMaybe track sceneFields
     track field
-      | isTrackable field, varies keys field, Just values <- traverse (\key -> (,) (keySeconds key) <$> valueIn field key) keys =
+      | isTrackable field,
+        varies keys field,
+        Just values <- traverse (\key -> (,) (keySeconds key) <$> valueIn field key) keys =
         Just $
           ["    " ++ fieldPath field ++ ":", "      interpolation: " ++ interpolationName (timelineInterpolation timeline)]
             ++ ["      shortest-turn: true" | turns field]
