@@ -42,8 +42,11 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
   it "there are many" $ do
     found <- concat <$> mapM (fmap commandLines . readFile) documents
     length found `shouldSatisfy` (>= 40)
-  forM_ documents $ \document ->
-    it ("work in " ++ document) $ readFile document >>= allWork . commandLines
+  aroundAll withReadersFiles $ do
+    forM_ documents $ \document ->
+      it ("work in " ++ document) $ \files -> readFile document >>= allWork files . commandLines
+    it "work in the program's help" $ \files ->
+      allWork files (nub (concatMap (commandLines . unlines . mapMaybe shown . filter ("blackhole " `isInfixOf`) . filter (not . isPrefixOf "   ") . lines . helpOf) (topicNames ++ commands)))
   describe "docs/options.md" $ do
     text <- runIO (readFile "docs/options.md")
     let sectionOf name = takeWhile (not . isPrefixOf "## ") (drop 1 (dropWhile (/= "## `blackhole " ++ name ++ "`") (lines text)))
@@ -133,8 +136,6 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
       preprocessed <- filterM (fmap (isInfixOf "{-# LANGUAGE CPP") . readFile) sources
       preprocessed `shouldBe` ["src/BlackHole/Spacetime/Schwarzschild/Leapfrog.hs"]
       lookup "CONTRIBUTING.md" texts `shouldSatisfy` maybe False (isInfixOf "CPP, except in\n  `BlackHole.Spacetime.Schwarzschild.Leapfrog`")
-  it "work in the program's help" $
-    allWork (nub (concatMap (commandLines . unlines . mapMaybe shown . filter ("blackhole " `isInfixOf`) . filter (not . isPrefixOf "   ") . lines . helpOf) (topicNames ++ commands)))
   where
     commands = map commandName commandHelps
     optionsIn = filter isOption . words . map (\c -> if isAlpha c || c == '-' then c else ' ')
@@ -263,16 +264,16 @@ replacing old new text
   | c : rest <- text = c : replacing old new rest
   | otherwise = []
 
--- | Run command lines, one after the other, in a folder that has what they start
--- from. A film's state is also told by the code for missing frames.
-allWork :: [Command] -> Expectation
-allWork commands = unless (null commands) $ do
+-- | Runs command lines, one after the other, in a copy of the folder that has what they
+-- start from. A film's state is also told by the code for missing frames.
+allWork :: FilePath -> [Command] -> Expectation
+allWork files commands = unless (null commands) $ do
   found <- findExecutable "blackhole"
   ffmpeg <- isJust <$> findExecutable "ffmpeg"
   case found of
     Nothing -> pendingWith "blackhole is not on the PATH"
     Just program -> withSystemTempDirectory "blackhole-spec" $ \folder -> do
-      prepare folder
+      copyFolder files folder
       forM_ commands $ \(Command arguments output) -> do
         mapM_ (createDirectoryIfMissing True . (folder </>) . takeDirectory) (valuesOf ["-o", "--output"] arguments)
         forM_ (valuesOf ["--sky"] arguments) $ \sky ->
@@ -314,7 +315,20 @@ expanded folder argument = case break (== '*') argument of
   (start, _ : end) -> sort . filter (\name -> start `isPrefixOf` name && end `isSuffixOf` name) <$> listDirectory folder
   _ -> pure [argument]
 
--- | The files that the documents' readers have.
+-- | A folder with the files that the documents' readers have.
+withReadersFiles :: (FilePath -> IO ()) -> IO ()
+withReadersFiles action = withSystemTempDirectory "blackhole-spec" $ \folder -> do
+  prepare folder
+  action folder
+
+copyFolder :: FilePath -> FilePath -> IO ()
+copyFolder from to = do
+  createDirectoryIfMissing True to
+  names <- listDirectory from
+  forM_ names $ \name -> do
+    isFile <- doesFileExist (from </> name)
+    (if isFile then copyFile else copyFolder) (from </> name) (to </> name)
+
 prepare :: FilePath -> IO ()
 prepare folder = do
   createDirectoryIfMissing True (folder </> "scenes")

@@ -19,6 +19,7 @@ import BlackHole.Scene.Validate
 import qualified Data.ByteString as Bytes
 import Data.List (intercalate, sortOn)
 import Data.Maybe (fromMaybe, listToMaybe)
+import qualified Data.Set as Set
 import System.FilePath (isRelative, (</>))
 
 -- | What a scene is made of.
@@ -66,7 +67,7 @@ resolveRequest (Request preset file folder options) = case traverse (parseSceneF
                    Just line <- [lineOf (settingPath (idleSetting idle))]
                ]
             ++ map faultText faults
-        complete = all ((`elem` map settingPath inFile) . settingPath) (sceneSettings ofFile)
+        complete = all ((`Set.member` Set.fromList (map settingPath inFile)) . settingPath) (sceneSettings ofFile)
     where
       (SceneFile filePresetName settings _, malformed) = fromMaybe (SceneFile "default" [] [], []) parsed
       chosenName = fromMaybe filePresetName preset

@@ -18,6 +18,7 @@ import BlackHole.Scene.Field.Kind (Value (..), rangeFault, showValue)
 import BlackHole.Scene.Field.Table
 import BlackHole.Scene.Scene
 import Data.List (find)
+import qualified Data.Map.Strict as Map
 import Data.Maybe (isNothing, mapMaybe)
 
 -- | A value for a setting.
@@ -34,10 +35,8 @@ data Setting = Setting
 applySettings :: [Setting] -> Scene -> Scene
 applySettings settings scene = foldl apply scene sceneFields
   where
-    latest = reverse settings
-    apply s field = case find ((== fieldPath field) . settingPath) latest of
-      Just setting -> fieldSet field (settingValue setting) s
-      Nothing -> s
+    latest = Map.fromList [(path, value) | Setting path value <- settings]
+    apply s field = maybe s (\value -> fieldSet field value s) (Map.lookup (fieldPath field) latest)
 
 -- | Every setting of a scene. Applied to any other scene, they turn it into this one.
 sceneSettings :: Scene -> [Setting]
@@ -52,7 +51,8 @@ data Idle = Idle
     -- later.
     idleKept :: !Bool,
     -- | Another setting that is to blame: without it, this one would have an effect.
-    idleCulprit :: !(Maybe Setting),
+    -- Lazy, because the search tries every other setting and only a message needs it.
+    idleCulprit :: Maybe Setting,
     -- | What the setting needs to have an effect.
     idleCondition :: !(Maybe Condition)
   }

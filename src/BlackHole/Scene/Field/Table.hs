@@ -26,7 +26,8 @@ import BlackHole.Spacetime.Kerr.Landmarks
 import qualified BlackHole.Spacetime.Observer as Observer
 import BlackHole.Spacetime.Types (Spacetime (..))
 import BlackHole.Vector.XYZ (XYZ (..))
-import Data.List (find, intercalate)
+import Data.List (intercalate)
+import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, isJust)
 
 -- | The greatest width and height of a picture in pixels.
@@ -35,7 +36,10 @@ maximumPictureSide = 65536
 
 -- | A setting by its path.
 findField :: String -> Maybe Field
-findField path = find ((== path) . fieldPath) sceneFields
+findField path = Map.lookup path fieldsByPath
+
+fieldsByPath :: Map.Map String Field
+fieldsByPath = Map.fromList [(fieldPath field, field) | field <- sceneFields]
 
 -- | Former paths of settings with the present ones. Scene files may still use them.
 formerPaths :: [(String, String)]
