@@ -11,7 +11,9 @@ import BlackHole.Scene.Field.Kind
 import BlackHole.Scene.Field.Table
 import BlackHole.Scene.Setting
 import qualified Data.ByteString as Bytes
+import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Char8 as Char8
+import qualified Data.ByteString.Lazy as Lazy
 import Support.Generators
 import Test.Hspec
 import Test.QuickCheck
@@ -75,7 +77,7 @@ spec = do
     forAll validScene $ \scene ->
       let settings = sceneSettings scene
           text = unlines ("restore 1 default" : [path ++ " " ++ valueText value | Setting path value <- settings])
-       in parseMessage (Char8.pack text) === Right (Restore 1 "default" settings)
+       in parseMessage (Lazy.toStrict (Builder.toLazyByteString (Builder.stringUtf8 text))) === Right (Restore 1 "default" settings)
 
 answered :: Int -> Property
 answered size = property (size > 0)

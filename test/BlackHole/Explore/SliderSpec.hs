@@ -30,7 +30,7 @@ spec = do
     ]
       `shouldBe` []
   it "has equal ratios for ranges that span many orders of magnitude" $ do
-    (slider <$> findField "disk.temperature") `shouldBe` Just (Just (Logarithmic 500 105000 False))
+    (fmap isLogarithmic . slider =<< findField "disk.temperature") `shouldBe` Just True
     (slider <$> findField "camera.inclination") `shouldBe` Just (Just (Straight 0 180))
     (slider <$> findField "hole.spin") `shouldBe` Just (Just (Straight (-1) 1))
   where
@@ -41,6 +41,9 @@ spec = do
     ends bar = case bar of
       Straight low high -> (low, high)
       Logarithmic low high _ -> (low, high)
+    isLogarithmic bar = case bar of
+      Logarithmic {} -> True
+      Straight _ _ -> False
     fromZero bar = case bar of
       Logarithmic _ _ zero -> zero
       Straight _ _ -> False

@@ -33,11 +33,11 @@ spec = do
     steer (Approach 0.01) defaultScene `shouldBe` defaultScene
   it "looks to the right and up as the picture shows them" $
     sequence_
-      [ do
-          let Just start = cameraFrame (sceneCamera rolled)
-              Just end = cameraFrame (sceneCamera (steer how rolled))
-          XYZ.dot (frameForward end) (along start) `shouldSatisfy` (\c -> abs (c - sin (10 * pi / 180)) < 1e-4)
-          XYZ.dot (frameForward end) (across start) `shouldSatisfy` ((< 1e-4) . abs)
+      [ case (cameraFrame (sceneCamera rolled), cameraFrame (sceneCamera (steer how rolled))) of
+          (Just start, Just end) -> do
+            XYZ.dot (frameForward end) (along start) `shouldSatisfy` (\c -> abs (c - sin (10 * pi / 180)) < 1e-4)
+            XYZ.dot (frameForward end) (across start) `shouldSatisfy` ((< 1e-4) . abs)
+          _ -> expectationFailure "the camera has no frame"
         | (how, along, across) <- [(LookAround 10 0, frameRight, frameUp), (LookAround 0 10, frameUp, frameRight)],
           rolled <- [defaultScene, steer (RollBy 70) defaultScene]
       ]
