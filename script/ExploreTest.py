@@ -92,7 +92,7 @@ class Program:
 class Page:
     """A browser with the page in it."""
 
-    def __init__(self, address, width=1280, height=720, ratio=1, mobile=False):
+    def __init__(self, address, width=1000, height=620, ratio=1, mobile=False):
         options = Options()
         for argument in ('--headless=new', '--no-sandbox', '--disable-gpu', '--hide-scrollbars', '--disable-dev-shm-usage',
                          f'--window-size={width},{height}'):
@@ -117,7 +117,7 @@ class Page:
     def stats(self):
         return self.js('const { finished, ...rest } = explore.stats; return rest')
 
-    def settled(self, seconds=120):
+    def settled(self, seconds=240):
         """Wait for the final picture of the latest input."""
         def done():
             s = self.stats()
@@ -322,7 +322,7 @@ def development(program, page):
     before = page.js('return explore.stats.drawn.length')
     wait_for('an exposed picture comes', lambda: page.stats()['input'] >= page.js('return explore.input'))
     first = page.js('return explore.stats.drawn.filter(d => d.input === explore.input)[0]')
-    check('another exposure needs no coarse picture', first['stage'] == 1 and first['width'] > 800, first)
+    check('another exposure needs no coarse picture', first['stage'] == 1 and first['width'] > 500, first)
     check('the histogram counts', '%' in page.text('#clipped'), page.text('#clipped'))
     page.js('explore.act("preset", ["default"])')
 
@@ -443,7 +443,7 @@ def film(program, page):
 
 def two_pages(program, page):
     page.js('explore.act("preset", ["default"])')
-    other = Page(program.address, 800, 600)
+    other = Page(program.address, 920, 600)
     try:
         other.js('explore.act("preset", ["face-on"])')
         until('the other page has its own scene', lambda: other.value('camera.inclination') == '12')
@@ -559,14 +559,17 @@ def accessibility(program, page):
       }
       return found''')
     check('text has a contrast of at least 4.5', low == [], low)
+    page.resize(1280, 720)
+    wait_for('a window', lambda: page.js('return innerWidth') == 1280)
+    time.sleep(0.3)
     check('1280 × 720 shows everything without scrolling', page.js('return document.documentElement.scrollHeight <= 720 && document.documentElement.scrollWidth <= 1280'))
     page.resize(390, 844, 2, True)
     wait_for('a phone', lambda: page.js('return innerWidth') == 390)
     time.sleep(0.5)
     check('nothing is wider than a phone', page.js('return document.documentElement.scrollWidth') <= 390, page.js(
         'return [...document.querySelectorAll("body *")].filter(e => e.getBoundingClientRect().right > 391 && e.offsetParent).slice(0, 5).map(e => e.id || e.className || e.tagName)'))
-    page.resize(1280, 720)
-    wait_for('a window again', lambda: page.js('return innerWidth') == 1280)
+    page.resize(1000, 620)
+    wait_for('a window again', lambda: page.js('return innerWidth') == 1000)
 
 
 def soak(program, page, seconds):
@@ -608,9 +611,14 @@ def soak(program, page, seconds):
 def endings(program, page):
     page.close()
     other = Program(program.binary, '--no-open')
+    page = Page(other.address)
+    page.js('explore.send("render keep large.png")')
+    wait_for('a rendering', lambda: page.js('return !document.getElementById("job").hidden && document.getElementById("job-bar").value > 0'))
     other.process.send_signal(signal.SIGINT)
     other.process.wait(5)
     check('Ctrl-C ends it', other.process.returncode == 130, other.process.returncode)
+    check('and a rendering leaves nothing behind', os.listdir(other.folder) == [], os.listdir(other.folder))
+    page.close()
     other.end()
     taken = subprocess.run([program.binary, 'explore', '--port', str(program.port)], capture_output=True, text=True)
     check('a port in use is said', taken.returncode == 4 and f'port {program.port}' in taken.stderr, taken.stderr)
@@ -661,7 +669,7 @@ def pictures(binary, folder):
     """The pictures of docs/explore.md."""
     os.makedirs(folder, exist_ok=True)
     program = Program(binary, '--keep')
-    page = Page(program.address)
+    page = Page(program.address, 1280, 720)
     shot = lambda name, quality=88: open(os.path.join(folder, name), 'wb').write(base64.b64decode(
         page.driver.execute_cdp_cmd('Page.captureScreenshot', {'format': 'jpeg', 'quality': quality})['data']))
     try:

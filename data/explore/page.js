@@ -89,6 +89,7 @@ function connect() {
   socket.binaryType = 'arraybuffer';
   socket.onopen = () => {
     retry = 250;
+    newest = -1;
     $('lost').hidden = true;
     sendWindow(true);
     if (Object.keys(values).length) {

@@ -30,9 +30,9 @@ import BlackHole.Render.Workers
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Problem
 import BlackHole.Scene.Scene
-import Control.Concurrent.Async (race)
+import Control.Concurrent.Async (cancel, race)
 import Control.Concurrent.STM
-import Control.Exception (IOException, try)
+import Control.Exception (IOException, finally, try)
 import Control.Monad (void, when)
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Char8 as Char8
@@ -102,7 +102,7 @@ explore software options = case serve of
       hall <- newHall studio (preset, scene) (Builder.toLazyByteString . Builder.stringUtf8 . renderJson . replyJson)
       token <- newToken
       let access = Access token
-          table = Builder.toLazyByteString (Builder.stringUtf8 (renderJson (tableJson software (preset, scene))))
+          table = Builder.toLazyByteString (Builder.stringUtf8 (renderJson (tableJson software)))
           announce port = do
             let address = pageAddress (access port)
             _ <- printText ("Open " ++ address ++ " in a browser. Ctrl-C ends the program.\n")
@@ -111,7 +111,8 @@ explore software options = case serve of
               _ | exploreNoOpen options -> pure ()
               Just program -> start program address
               Nothing -> say ("no browser here; from another machine, run ssh -L " ++ show port ++ ":127.0.0.1:" ++ show port ++ " with this one's name and open the address there (without a browser: blackhole render --preview)")
-      ended <- race (server (explorePort options) (\port -> service (access port) hall table) announce) (deserted hall)
+      -- A picture that is being rendered leaves nothing behind.
+      ended <- race (server (explorePort options) (\port -> service (access port) hall table) announce) (deserted hall) `finally` (readTVarIO (hallWorker hall) >>= mapM_ cancel)
       case ended of
         Left (Left reason) -> CannotServe <$ say ("explore: cannot listen on port " ++ maybe "of its own" show (explorePort options) ++ ": " ++ reason)
         _ -> pure Ended

@@ -75,11 +75,10 @@ replyJson reply = case reply of
 
 -- | What does not change: every setting with its topic, kind, range, slider and
 -- documentation, the presets, and the choices of the film and of file formats.
-tableJson :: String -> (String, Scene) -> Json
-tableJson software (preset, _) =
+tableJson :: String -> Json
+tableJson software =
   Object
     [ ("software", Text software),
-      ("start", Text preset),
       ("topics", List [Text (topicName topic) | topic <- [minBound .. maxBound]]),
       ("settings", List (map settingJson sceneFields)),
       ("presets", List [Object [("name", Text (presetName p)), ("shows", Text (presetShows p)), ("values", valuesJson (presetScene p))] | p <- describedPresets]),

@@ -23,10 +23,10 @@ data Pace = Pace
 initialPace :: Pace
 initialPace = Pace 1.3e-6 32400
 
--- | How long a picture should take from the input to the last byte, in seconds: twenty
+-- | How long a picture should take from the input to the last byte, in seconds: nineteen
 -- pictures a second, of which the slower ones still reach fifteen.
 targetSeconds :: Double
-targetSeconds = 0.048
+targetSeconds = 0.053
 
 -- | The least number of pixels of a picture, however long it takes.
 smallestMoving :: Int

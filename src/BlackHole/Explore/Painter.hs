@@ -152,6 +152,8 @@ paint easel = go (Memory Nothing Nothing Nothing initialPace) (-1)
     -- One ray per pixel, with twice as many rows each time, up to the window's size.
     enlarging sky traced input scene film
       | size == scenePicture scene = pure film
+      -- The final picture itself has one ray per pixel.
+      | next == scenePicture scene && movingScene next scene == scene = pure (enlarged film next)
       | otherwise = do
         drawn <- drafted studio sky traced (movingScene next scene)
         case drawn of

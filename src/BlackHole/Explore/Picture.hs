@@ -16,7 +16,7 @@ import BlackHole.Image.Coding
 import BlackHole.Image.Jpeg
 import BlackHole.Image.Metadata
 import BlackHole.Image.Write
-import BlackHole.Light.Display (Exposure (..), ToneMap (..))
+import BlackHole.Light.Display (ToneMap (..))
 import BlackHole.Light.Dither (Dither (..))
 import BlackHole.Render.Bloom
 import BlackHole.Render.Film
@@ -121,4 +121,4 @@ thumbnail studio scene = do
   where
     alone = studio {studioWorkers = oneWorker}
     Picture width height = scenePicture scene
-    small = (movingScene (Picture 240 (max 1 ((240 * height) `quot` max 1 width))) scene) {sceneExposure = let Exposure e = sceneExposure scene in Exposure e}
+    small = movingScene (Picture 240 (max 1 ((240 * height) `quot` max 1 width))) scene

@@ -112,12 +112,15 @@ obey page message = case message of
     scene <- wantedScene <$> readTVarIO (easelWanted (pageEasel page))
     let changed = applySettings settings scene
         lost = [s | s <- settings, not (holds changed s)]
+        reasons = [renderIdle InFile idle | idle <- idleSettings scene settings]
         problems =
           [("'" ++ file ++ "' is not in the folder in which blackhole explore was started") | file <- forbidden]
             ++ (if null forbidden then map renderProblem (validateScene changed) else [])
     if null problems
       then do
-        if null lost then show' input changed else refuse input [renderIdle InFile idle | idle <- idleSettings scene settings]
+        if null lost
+          then show' input changed
+          else refuse input (if null reasons then ["these settings have no effect in this scene"] else reasons)
       else refuse input problems
   Restore input preset settings -> do
     forbidden <- filterM (fmap not . allowed) [file | Setting _ (FileValue file) <- settings]
