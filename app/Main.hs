@@ -18,6 +18,6 @@ main = do
   -- One write for a line, not one for each character.
   hSetBuffering stderr LineBuffering
   arguments <- getArgs
-  -- A film still has claims to give back, and --keep-partial a picture to write.
+  -- An animation still has leases to release, and --keep-partial a picture to write.
   let atOnce = take 1 arguments == ["render"] && "--keep-partial" `notElem` arguments
   stoppable atOnce (run arguments) >>= fastExit

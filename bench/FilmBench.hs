@@ -2,6 +2,7 @@
 module FilmBench (benchmarks) where
 
 import BlackHole.Image.Coding
+import BlackHole.Image.Destination (inMemory)
 import BlackHole.Image.File
 import BlackHole.Image.Metadata
 import BlackHole.Light.Display
@@ -31,7 +32,7 @@ benchmarks =
     bgroup
       "film of 1920 × 1080"
       [ bench "bloom" (nfIO (Ready <$> bloomFilm oneWorker 0.1 (filmOf ready))),
-        bench "development" (whnfIO (developFilm oneWorker (Exposure 0) ToneFilm BlueNoise (filmOf ready))),
+        bench "development" (whnfIO (developFilm oneWorker (Development (Exposure 0) ToneFilm noGrain BlueNoise) (filmOf ready))),
         file ready Png 8,
         file ready Png 16,
         file ready Jpeg 8,
@@ -44,8 +45,9 @@ benchmarks =
     filmOf (Ready film) = film
     file ready format bits =
       bench ("development and " ++ show format ++ " in " ++ show bits ++ " bits") . whnfIO $
-        fmap Lazy.length
-          <$> encodeFile oneWorker format (Label "bench" (Coding (Just bits) Nothing) Bytes.empty) (Development (Exposure 0) ToneFilm BlueNoise) noLayers (filmOf ready)
+        traverse
+          (\encode -> Lazy.length . snd <$> inMemory (encode (pure . filmRows (filmOf ready))))
+          (fileEncoder oneWorker format (Metadata "bench" (Coding (Just bits) Nothing) Bytes.empty) (Development (Exposure 0) ToneFilm noGrain BlueNoise) noLayers (1920, 1080))
 
 -- | A third black, the rest smooth with some texture, like a rendering.
 gradient :: IO Film

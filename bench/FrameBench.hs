@@ -1,4 +1,4 @@
--- | Complete small pictures, from scene to film, on one core.
+-- | Complete small pictures, from scene to animation, on one core.
 module FrameBench (benchmarks) where
 
 import BlackHole.Render.Film
@@ -19,4 +19,4 @@ benchmarks =
     ]
   where
     small scene = scene {scenePicture = Picture 64 36, sceneSamples = 1}
-    frame name scene = bench name (whnfIO (exposeFilm oneWorker (const (pure ())) scene))
+    frame name scene = bench name (whnfIO (exposeFilm Nothing oneWorker (const (pure ())) scene (allRows (scenePicture scene))))

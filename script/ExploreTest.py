@@ -401,10 +401,10 @@ def take_home(program, page):
     check('a cancelled file is not there', sorted(f for f in os.listdir(program.folder) if 'large' in f or '.part' in f) == [])
 
 
-def film(program, page):
+def animation(program, page):
     page.js('explore.act("preset", ["default"])')
     page.enter('image.width', '96')
-    wait_for('a small film', lambda: page.value('image.width') == '96')
+    wait_for('a small animation', lambda: page.value('image.width') == '96')
     page.click('#key-add')
     until('a key is set', lambda: page.js('return explore.keys.length') == 1)
     page.js('const s = document.getElementById("scrub"); s.value = 1000; s.dispatchEvent(new Event("input")); s.dispatchEvent(new Event("change"))')
@@ -414,7 +414,7 @@ def film(program, page):
     page.js('document.body.focus()')
     page.key('k', 'KeyK')
     until('K sets another', lambda: page.js('return explore.keys.length') == 2)
-    until('the film can play', lambda: not page.js('return document.getElementById("play").disabled'))
+    until('the animation can play', lambda: not page.js('return document.getElementById("play").disabled'))
     page.js('const s = document.getElementById("scrub"); s.value = 500; s.dispatchEvent(new Event("input")); s.dispatchEvent(new Event("change"))')
     until('scrubbing shows the time between', lambda: page.value('camera.azimuth') == '110' and page.value('camera.distance') == '42')
     page.js('const s = document.getElementById("scrub"); s.value = 0; s.dispatchEvent(new Event("input"))')
@@ -427,15 +427,15 @@ def film(program, page):
     page.key('ArrowLeft')
     until('the arrow keys move a key', lambda: page.js('return explore.keys[1].time') < 2, 10)
     page.click('#play')
-    until('the film plays', lambda: float(page.value('camera.distance')) < 50)
+    until('the animation plays', lambda: float(page.value('camera.distance')) < 50)
     until('and ends', lambda: page.text('#play') == 'Play')
-    page.click('#save-film')
-    page.answer('film.yaml')
-    page.said('Saved film.yaml')
-    check('the film is sound', 'no problems' in program.run('scene', 'check', 'film.yaml'))
-    program.run('animate', 'film.yaml', '--frame-range', '0-1', '-q', '-o', 'frames/%03d.png')
+    page.click('#save-animation')
+    page.answer('animation.yaml')
+    page.said('Saved animation.yaml')
+    check('the animation is sound', 'no problems' in program.run('scene', 'check', 'animation.yaml'))
+    program.run('animate', 'animation.yaml', '--frame-range', '0-1', '-q', '-o', 'frames/%03d.png')
     check('and animate renders it', len(program.read('frames/001.png')) > 1000)
-    check('it has the keys', 'camera.distance:\n      interpolation: smooth\n      0: 54\n' in program.read('film.yaml').decode())
+    check('it has the keys', 'camera.distance:\n      interpolation: smooth\n      0: 54\n' in program.read('animation.yaml').decode())
     page.js('document.querySelector("#keys button").focus()')
     page.key('Delete')
     until('Delete deletes a key', lambda: page.js('return explore.keys.length') == 1)
@@ -509,7 +509,7 @@ def nonsense(program, page, count=1000):
     page.js('''
       const random = n => Math.floor(Math.random() * n);
       const words = ["window", "drawn", "change", "restore", "preset", "orbit", "approach", "look", "roll", "face", "inspect", "command",
-        "save-scene", "film", "save-film", "scrub", "render", "cancel", "key", "", "keep", "replace"];
+        "save-scene", "animation", "save-animation", "scrub", "render", "cancel", "key", "", "keep", "replace"];
       const numbers = ["0", "1", "-1", "1e9", "1e999", "nan", "inf", "0.5", "99999999999999999999", "", "x", "../x.yaml", "-0", "3600"];
       const paths = Object.keys(explore.values).concat(["x.y", "", "camera"]);
       for (let k = 0; k < arguments[0]; k += 1) {
@@ -632,7 +632,7 @@ def bench(binary):
     # The view of this window is 480 × 270 pixels.
     page = Page(program.address, 840, 500)
     try:
-        page.js('for (const e of ["header", "#film", "#panel"]) document.querySelector(e).style.display = "none";'
+        page.js('for (const e of ["header", "#animation", "#panel"]) document.querySelector(e).style.display = "none";'
                 'const f = document.getElementById("frame"); f.style.cssText = "width: 480px; height: 270px"')
         print('a drag of six seconds with sixty inputs a second, view of 480 × 270 pixels')
         print('scene          pictures/s   rays (median)   latency median, 95 %   first sharper picture')
@@ -698,7 +698,7 @@ def pictures(binary, folder):
         time.sleep(1)
         page.settled()
         page.js('document.querySelectorAll("details").forEach(d => { d.open = d.textContent.startsWith("Disk") }); document.activeElement.blur()')
-        shot('explore-film.jpg')
+        shot('explore-animation.jpg')
         page.js('explore.act("preset", ["default"])')
         page.resize(390, 844, 2, True)
         time.sleep(1)
@@ -728,7 +728,7 @@ def main():
         if given.soak:
             soak(program, page, given.soak)
         else:
-            tests = [first_look, movement, controls, development, inspection, take_home, film, two_pages, interruptions, strangers, nonsense, accessibility]
+            tests = [first_look, movement, controls, development, inspection, take_home, animation, two_pages, interruptions, strangers, nonsense, accessibility]
             for test in tests:
                 if not given.only or given.only == test.__name__:
                     print(f'{test.__name__.replace("_", " ")}:', flush=True)

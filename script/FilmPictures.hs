@@ -1,9 +1,6 @@
 -- | Draws the pictures of docs/film.md with the program's own modules.
 module Main (main) where
 
-import BlackHole.Image.Coding
-import BlackHole.Image.Metadata
-import BlackHole.Image.Png
 import BlackHole.Light.BlackBody (blackBodyColour, unmappedColour)
 import BlackHole.Light.Display
 import BlackHole.Light.Dither
@@ -18,7 +15,7 @@ import BlackHole.Render.Workers
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Preset (defaultScene)
 import BlackHole.Scene.Scene
-import qualified Data.ByteString as Bytes
+import Codec.Picture (Image (..), PixelRGB8, encodePng)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as Vector
@@ -38,16 +35,16 @@ main = do
         [] -> "docs/images"
   workers <- defaultWorkers
   withWorkers workers $ do
-    exposed <- exposeFilm workers (const (pure ())) defaultScene {scenePicture = Picture wide high, sceneSamples = 4}
-    film <- maybe (die "the default scene cannot be traced") pure exposed
-    toneMaps <- mapM (\tone -> sheetOf <$> developFilm workers plain tone BlueNoise film) [ToneFilm, ToneNone, ToneReinhard, ToneAces, ToneAgx]
-    write workers folder "film-tone-maps.png" (inRows 2 (toneMaps ++ [channelByChannel film]))
-    write workers folder "film-hue.png" (inRows 1 [wedge byChannel, wedge (applyToneMap ToneFilm)])
-    write workers folder "film-red.png" (inRows 1 [strip towardsWhite, strip desaturateIntoGamut])
-    dithers <- mapM (\dither -> brightened . sheetOf <$> developFilm workers (Exposure (-6)) ToneFilm dither film) [NoDither, BlueNoise]
-    write workers folder "film-dither.png" (inRows 2 dithers)
-    blooms <- mapM (\strength -> bloomFilm workers strength film >>= fmap sheetOf . developFilm workers plain ToneFilm BlueNoise) [0, 0.03, 0.1, 0.3]
-    write workers folder "film-bloom.png" (inRows 2 blooms)
+    exposed <- exposeFilm Nothing workers (const (pure ())) defaultScene {scenePicture = Picture wide high, sceneSamples = 4} (0, high)
+    film <- maybe (die "the default scene cannot be traced") (pure . exposedLight) exposed
+    toneMaps <- mapM (\tone -> sheetOf <$> developFilm workers (Development plain tone noGrain BlueNoise) film) [ToneFilm, ToneNone, ToneReinhard, ToneAces, ToneAgx]
+    write folder "film-tone-maps.png" (inRows 2 (toneMaps ++ [channelByChannel film]))
+    write folder "film-hue.png" (inRows 1 [wedge byChannel, wedge (applyToneMap ToneFilm)])
+    write folder "film-red.png" (inRows 1 [strip towardsWhite, strip desaturateIntoGamut])
+    dithers <- mapM (\dither -> brightened . sheetOf <$> developFilm workers (Development (Exposure (-6)) ToneFilm noGrain dither) film) [NoDither, BlueNoise]
+    write folder "film-dither.png" (inRows 2 dithers)
+    blooms <- mapM (\strength -> bloomFilm workers strength film >>= fmap sheetOf . developFilm workers (Development plain ToneFilm noGrain BlueNoise)) [0, 0.03, 0.1, 0.3]
+    write folder "film-bloom.png" (inRows 2 blooms)
   where
     plain = Exposure 0
     wide = 480
@@ -120,10 +117,8 @@ inRows across sheets = Sheet (across * (width + gap) - gap) (down * (height + ga
             Sheet _ _ own : _ | inX < width && inY < height -> own inX inY k
             _ -> 255
 
-write :: Workers -> FilePath -> String -> Sheet -> IO ()
-write workers folder name (Sheet width height code) =
-  case pixelShape width height 3 >>= \shape -> fromPixelVector shape codes of
-    Just pixels -> encodePng workers (Label "blackhole" defaultCoding Bytes.empty) (Codes8 pixels) >>= Lazy.writeFile (folder </> name)
-    Nothing -> die (name ++ " is empty")
+write :: FilePath -> String -> Sheet -> IO ()
+write folder name (Sheet width height code) =
+  Lazy.writeFile (folder </> name) (encodePng (Image width height codes :: Image PixelRGB8))
   where
     codes = Vector.generate (3 * width * height) (\i -> let (pixel, k) = i `quotRem` 3; (y, x) = pixel `quotRem` width in code x y k)

@@ -127,10 +127,10 @@ data Plot = Plot
     plotSeries :: [Series]
   }
 
--- | A label and a scale.
+-- | A metadata and a scale.
 data Axis = Axis String Scale
 
--- | The labels of a scale; the first and the last are at its ends.
+-- | The metadata of a scale; the first and the last are at its ends.
 data Scale
   = -- | Powers of ten.
     Powers [Int]

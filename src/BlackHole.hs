@@ -42,14 +42,13 @@ import qualified BlackHole.Cli.SceneOptions as SceneOptions
 import BlackHole.Cli.SkyFile (SkyFile (..), loadSky)
 import BlackHole.Image.AtomicFile (renderWriteProblem, writeFileAtomically)
 import BlackHole.Image.Coding (Format, defaultCoding, formatExtensions, formatOf)
-import BlackHole.Image.Write (finishFilm)
+import BlackHole.Image.Write (pictureBytes)
 import BlackHole.Light.Radiance (Radiance (..))
-import BlackHole.Render.Film (Exposed (..), exposeCounted)
+import BlackHole.Render.Film (Exposed (..), allRows, exposeFilm)
 import qualified BlackHole.Render.Film as Film
 import BlackHole.Render.PixelArray (pixelArrayShape)
 import BlackHole.Render.PixelShape (shapeHeight, shapeWidth)
 import BlackHole.Render.Workers (Workers, defaultWorkers, withWorkers)
-import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Field.Field (Field (..))
 import BlackHole.Scene.Field.Kind (readValue)
 import BlackHole.Scene.Field.Table (currentPath, findField, sceneFields)
@@ -110,7 +109,7 @@ renderFilm progress scene = case map renderProblem (validateScene scene) of
   [] -> loadSky scene >>= either (pure . Left . pure) (withAllWorkers . under)
   problems -> pure (Left problems)
   where
-    under sky workers = maybe (Left ["this scene can't be traced"]) (Right . Film) <$> exposeCounted (skyFileImage <$> sky) workers progress scene (0, pictureHeight (scenePicture scene))
+    under sky workers = maybe (Left ["this scene can't be traced"]) (Right . Film) <$> exposeFilm (skyFileImage <$> sky) workers progress scene (allRows (scenePicture scene))
 
 -- | The linear light of a scene's pixels, and the number of samples of each.
 newtype Film = Film Exposed
@@ -131,7 +130,7 @@ filmRadiance (Film exposed) = Film.filmRadiance (exposedLight exposed)
 -- stores the scene. 'Left' holds one line with the reason for a failure.
 writeFilm :: FilePath -> Scene -> Film -> IO (Either [String] ())
 writeFilm file scene (Film exposed) = inFormat file $ \format -> do
-  bytes <- withAllWorkers (\workers -> finishFilm workers software format defaultCoding (scene :| []) exposed)
+  bytes <- withAllWorkers (\workers -> pictureBytes workers software format defaultCoding (scene :| []) exposed)
   case bytes of
     Nothing -> pure (Left [file ++ ": this format has no room for so large a picture"])
     Just content -> either (Left . pure . renderWriteProblem) Right <$> writeFileAtomically file content

@@ -39,9 +39,9 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
       code `shouldNotBe` ExitFailure 1
       message `shouldSatisfy` ("größe" `isInfixOf`)
       length (lines message) `shouldBe` 1
-  it "finishes a film that is killed again and again, by two at once, with the bytes of one run" $
+  it "finishes an animation that is killed again and again, by two at once, with the bytes of one run" $
     inFolder $ \folder -> do
-      writeFile (folder </> "film.yaml") film
+      writeFile (folder </> "film.yaml") animation
       whole <- program [] folder ["animate", "film.yaml", "-o", "one/%d.png"]
       exitOf whole `shouldBe` ExitSuccess
       forM_ [20000, 90000 .. 440000] $ \microseconds ->
@@ -59,7 +59,7 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
       left <- listDirectory (folder </> "two" </> ".blackhole")
       filter (\name -> any (`isSuffixOf` name) [".claim", ".part"]) left `shouldBe` []
   where
-    film = unlines ["image: {width: 96}", "sampling: {samples: 1}", "animation: {frames: 6, camera-path: {kind: orbit}}"]
+    animation = unlines ["image: {width: 96}", "sampling: {samples: 1}", "animation: {frames: 6, camera-path: {kind: orbit}}"]
     killing folder microseconds arguments = do
       found <- findExecutable "blackhole"
       forM_ found $ \file -> do

@@ -96,7 +96,7 @@ function connect() {
       act('restore', [preset], linesOf(values));
       awaited = input;
     }
-    if (keys.length) defineFilm();
+    if (keys.length) defineAnimation();
   };
   socket.onmessage = event => {
     if (typeof event.data === 'string') receive(JSON.parse(event.data));
@@ -128,7 +128,7 @@ function receive(message) {
     case 'command': return copyCommand(message);
     case 'saved': return toast('Saved ' + message.file);
     case 'exists': return askAgain(message.file);
-    case 'film': return showFilm(message);
+    case 'animation': return showAnimation(message);
     case 'job': return showJob(message);
   }
 }
@@ -157,7 +157,7 @@ function refresh() {
   for (const button of $('presets').children) button.setAttribute('aria-pressed', String(button.dataset.name === preset));
 }
 
-// A reload of the page keeps the scene and the film.
+// A reload of the page keeps the scene and the animation.
 function remember() {
   try {
     sessionStorage.setItem('scene', JSON.stringify({ values, preset, keys, length: +$('duration').value, rate: +$('rate').value, way: $('way').value }));
@@ -913,7 +913,7 @@ function toast(text, bad = false) {
 }
 
 // ---------------------------------------------------------------------------------------
-// The film
+// The animation
 
 let keys = [];                 // { time, values }, in order
 let selected = null;
@@ -922,24 +922,24 @@ let playing = null;
 const length = () => Math.max(0.1, Math.min(3600, parseFloat($('duration').value) || 5));
 const timeNow = () => $('scrub').value / 1000 * length();
 
-function defineFilm() {
+function defineAnimation() {
   keys.sort((a, b) => a.time - b.time);
   showKeys();
   remember();
   const rate = Math.max(1, Math.min(240, parseFloat($('rate').value) || 24));
-  send([`film ${number(length())} ${number(rate)} ${$('way').value}`, ...keys.flatMap(key => ['key ' + number(key.time), ...linesOf(key.values)])].join('\n'));
+  send([`animation ${number(length())} ${number(rate)} ${$('way').value}`, ...keys.flatMap(key => ['key ' + number(key.time), ...linesOf(key.values)])].join('\n'));
 }
 
-function showFilm({ problems, fixed }) {
-  const note = $('film-note');
+function showAnimation({ problems, fixed }) {
+  const note = $('animation-note');
   note.classList.toggle('bad', problems.length > 0 && keys.length > 0);
   if (!keys.length) note.textContent = 'No keyframes yet: choose a view and add one, move the time, change the view, and add the next.';
   else if (problems.length) note.textContent = problems.join(' ');
-  else if (fixed.length) note.textContent = 'Cannot change within a film, and stay as in the first key: ' + fixed.join(', ');
-  else note.textContent = keys.length === 1 ? '1 keyframe: a film needs a second one to move.' : keys.length + ' keyframes. Drag the diamonds to move them in time.';
+  else if (fixed.length) note.textContent = 'Cannot change within an animation, and stay as in the first key: ' + fixed.join(', ');
+  else note.textContent = keys.length === 1 ? '1 keyframe: an animation needs a second one to move.' : keys.length + ' keyframes. Drag the diamonds to move them in time.';
   const ready = keys.length > 0 && !problems.length;
   $('play').disabled = !ready;
-  $('save-film').disabled = !ready;
+  $('save-animation').disabled = !ready;
 }
 
 function addKey() {
@@ -947,13 +947,13 @@ function addKey() {
   keys = keys.filter(key => Math.abs(key.time - time) > 1e-6);
   selected = { time, values };
   keys.push(selected);
-  defineFilm();
+  defineAnimation();
 }
 
 function deleteKey() {
   keys = keys.filter(key => key !== selected);
   selected = null;
-  defineFilm();
+  defineAnimation();
 }
 
 function showKeys() {
@@ -982,7 +982,7 @@ function moveKey(key, time) {
   if (keys.some(other => other !== key && Math.abs(other.time - to) < 1e-6)) return;
   key.time = to;
   selected = key;
-  defineFilm();
+  defineAnimation();
 }
 
 function pick(key) {
@@ -1035,7 +1035,7 @@ function togglePlay() {
     cancelAnimationFrame(playing);
     playing = null;
     $('play').textContent = 'Play';
-    settle('Play the film');
+    settle('Play the animation');
     return;
   }
   $('play').textContent = 'Pause';
@@ -1064,12 +1064,12 @@ $('key-add').onclick = addKey;
 $('key-delete').onclick = deleteKey;
 $('scrub').addEventListener('input', () => { if (playing) togglePlay(); scrubTo(); });
 $('scrub').addEventListener('change', () => { if (keys.length) settle('Scrub'); });
-for (const id of ['duration', 'rate', 'way']) $(id).addEventListener('change', () => { showTime(); if (keys.length) defineFilm(); });
-$('save-film').onclick = () => ask({
-  title: 'Save the film',
-  text: `An animation scene of ${Math.round(length() * (parseFloat($('rate').value) || 24))} frames. Render it with: blackhole animate film.yaml -o frames/%05d.png`,
-  name: 'film.yaml', button: 'Save', extensions: ['.yaml', '.yml'],
-  act: (how, name) => send(`save-film ${how} ${name}`)
+for (const id of ['duration', 'rate', 'way']) $(id).addEventListener('change', () => { showTime(); if (keys.length) defineAnimation(); });
+$('save-animation').onclick = () => ask({
+  title: 'Save the animation',
+  text: `An animation scene of ${Math.round(length() * (parseFloat($('rate').value) || 24))} frames. Render it with: blackhole animate animation.yaml -o frames/%05d.png`,
+  name: 'animation.yaml', button: 'Save', extensions: ['.yaml', '.yml'],
+  act: (how, name) => send(`save-animation ${how} ${name}`)
 });
 
 // ---------------------------------------------------------------------------------------

@@ -1,18 +1,18 @@
--- | A film: from the number of a frame to its scene, and nothing but that.
+-- | Animations: a pure function from the number of a frame to its scenes.
 --
--- Frame @n@ (from 0) shows the time @n \/ rate@ in seconds, so that a film of one
--- whole turn runs on into its own beginning. With a shutter, a frame is the mean
--- light of several moments from that time on.
+-- Frame @n@, counted from 0, shows the time @n \/ rate@ in seconds, so that an animation
+-- of one whole turn loops seamlessly. With an open shutter, a frame is the mean light of
+-- the scenes at several times from then on.
 module BlackHole.Animation.Animation
-  ( Film (..),
-    stillFilm,
+  ( Animation (..),
+    stillAnimation,
     Track (..),
     Shutter (..),
     closedShutter,
-    filmDuration,
-    filmProblems,
-    momentScene,
-    frameMoments,
+    animationDuration,
+    animationProblems,
+    sceneAt,
+    frameTimes,
     frameScenes,
     maximumFrames,
     maximumShutterSamples,
@@ -21,69 +21,69 @@ where
 
 import BlackHole.Animation.CameraPath
 import BlackHole.Animation.Interpolate
-import BlackHole.Image.MotionBlur (maximumMoments)
+import BlackHole.Image.MotionBlur (maximumBlurredScenes)
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Validate
 import Data.List.NonEmpty (NonEmpty (..))
 
--- | A film.
-data Film = Film
-  { -- | What every frame starts from.
-    filmScene :: !Scene,
+-- | A scene that changes with time.
+data Animation = Animation
+  { -- | The scene that every frame starts from.
+    animationScene :: !Scene,
     -- | Number of frames, from 1 to 'maximumFrames'.
-    filmFrames :: !Int,
+    animationFrames :: !Int,
     -- | Frames per second, above 0.
-    filmRate :: !Double,
-    -- | Fields that change by keys.
-    filmTracks :: ![Track],
-    -- | How the camera moves, from wherever the keys have put it.
-    filmPath :: !(Maybe CameraPath),
-    filmShutter :: !Shutter
+    animationRate :: !Double,
+    -- | The settings that follow keyframes.
+    animationTracks :: ![Track],
+    -- | The movement of the camera, from the position that the keyframes give it.
+    animationPath :: !(Maybe CameraPath),
+    animationShutter :: !Shutter
   }
 
--- | A field of the scene that follows keys; times are in seconds.
+-- | A setting of the scene that follows keyframes; times are in seconds.
 data Track = Track
   { -- | Its path in the scene file.
     trackField :: !String,
-    -- | Put values into the field, or say what is wrong with them.
+    -- | Sets the values, or returns the problem with them.
     trackSet :: !([Double] -> Scene -> Either Problem Scene),
     trackInterpolation :: !Interpolation,
     trackKeys :: !Keys
   }
 
--- | How long each frame gathers light.
+-- | The exposure time of each frame.
 data Shutter = Shutter
   { -- | Open for this part of the time from a frame to the next, 0 to 1.
     shutterOpen :: !Double,
-    -- | Moments whose light is averaged, from 1 to 'maximumShutterSamples'.
+    -- | The number of times whose light is averaged, from 1 to 'maximumShutterSamples'.
     shutterSamples :: !Int
   }
   deriving (Eq, Show)
 
--- | A single moment for each frame: no motion blur.
+-- | A single time for each frame: no motion blur.
 closedShutter :: Shutter
 closedShutter = Shutter 0 1
 
--- | The most frames of a film.
+-- | The greatest number of frames of an animation.
 maximumFrames :: Int
 maximumFrames = 1000000
 
--- | The most moments in a frame.
+-- | The greatest number of shutter samples of a frame.
 maximumShutterSamples :: Int
-maximumShutterSamples = maximumMoments
+maximumShutterSamples = maximumBlurredScenes
 
--- | A film in which nothing moves: 48 frames at 24 a second.
-stillFilm :: Scene -> Film
-stillFilm scene = Film scene 48 24 [] Nothing closedShutter
+-- | An animation in which nothing moves: 48 frames at 24 a second.
+stillAnimation :: Scene -> Animation
+stillAnimation scene = Animation scene 48 24 [] Nothing closedShutter
 
--- | Seconds from the first frame to the moment after the last one's turn.
-filmDuration :: Film -> Double
-filmDuration film = fromIntegral (filmFrames film) / filmRate film
+-- | The duration in seconds, from the start of the first frame to the end of the last.
+animationDuration :: Animation -> Double
+animationDuration animation = fromIntegral (animationFrames animation) / animationRate animation
 
--- | What is wrong with the film's own numbers; its scenes are another matter
--- ('frameScenes').
-filmProblems :: Film -> [Problem]
-filmProblems film =
+-- | The problems of the numbers of an animation. For the problems of its scenes, see
+-- 'frameScenes'.
+animationProblems :: Animation -> [Problem]
+animationProblems animation =
   [ Problem "--duration" (show frames ++ " frames") ("a duration of 1 to " ++ show maximumFrames ++ " frames")
     | frames < 1 || frames > maximumFrames
   ]
@@ -97,37 +97,37 @@ filmProblems film =
          | samples < 1 || samples > maximumShutterSamples
        ]
   where
-    frames = filmFrames film
-    rate = filmRate film
-    Shutter open samples = filmShutter film
+    frames = animationFrames animation
+    rate = animationRate animation
+    Shutter open samples = animationShutter animation
 
--- | The scene at a moment (seconds), or everything that is wrong with it.
-momentScene :: Film -> Double -> Either [Problem] Scene
-momentScene film seconds = do
-  keyed <- foldl track (Right (filmScene film)) (filmTracks film)
-  moved <- maybe (Right keyed) (along keyed) (filmPath film)
+-- | The scene at a time in seconds, or all its problems.
+sceneAt :: Animation -> Double -> Either [Problem] Scene
+sceneAt animation seconds = do
+  keyed <- foldl track (Right (animationScene animation)) (animationTracks animation)
+  moved <- maybe (Right keyed) (along keyed) (animationPath animation)
   case validateScene moved of
     [] -> Right moved
     problems -> Left problems
   where
     track scene (Track _ set kind keys) =
       scene >>= either (Left . pure) Right . set (valueAt kind keys seconds)
-    along scene path = either (Left . pure . impossible path) Right (alongPath path (filmDuration film) seconds scene)
+    along scene path = either (Left . pure . impossible path) Right (alongPath path (animationDuration animation) seconds scene)
     impossible path reason =
       Mistake "animation.camera-path" (cameraPathName path ++ ": " ++ reason)
 
--- | The moments (seconds) whose light frame @n@ gathers: the middles of equal
--- parts of the time for which the shutter is open.
-frameMoments :: Film -> Int -> NonEmpty Double
-frameMoments film n
-  | open > 0 && samples > 0 = moment 0 :| map moment [1 .. samples - 1]
+-- | The times in seconds whose light frame @n@ gathers: the middles of equal parts of
+-- the time for which the shutter is open.
+frameTimes :: Animation -> Int -> NonEmpty Double
+frameTimes animation n
+  | open > 0 && samples > 0 = sample 0 :| map sample [1 .. samples - 1]
   | otherwise = time 0 :| []
   where
-    Shutter open samples = filmShutter film
-    time part = (fromIntegral n + part) / filmRate film
-    moment :: Int -> Double
-    moment k = time (open * (fromIntegral k + 0.5) / fromIntegral samples)
+    Shutter open samples = animationShutter animation
+    time part = (fromIntegral n + part) / animationRate animation
+    sample :: Int -> Double
+    sample k = time (open * (fromIntegral k + 0.5) / fromIntegral samples)
 
--- | The scenes whose mean light is frame @n@, or what is wrong with them.
-frameScenes :: Film -> Int -> Either [Problem] (NonEmpty Scene)
-frameScenes film n = traverse (momentScene film) (frameMoments film n)
+-- | The scenes whose mean light is frame @n@, or their problems.
+frameScenes :: Animation -> Int -> Either [Problem] (NonEmpty Scene)
+frameScenes animation n = traverse (sceneAt animation) (frameTimes animation n)

@@ -1,13 +1,13 @@
--- | The section @animation@ of a scene file, which makes a film of a scene. The reader,
+-- | The section @animation@ of a scene file, which makes an animation of a scene. The reader,
 -- the JSON Schema and the help all derive from the tables of its keys.
 module BlackHole.Animation.AnimationFile
   ( animationKey,
     readAnimation,
-    Entry (..),
-    filmEntries,
-    pathEntries,
+    AnimationKey (..),
+    animationKeys,
+    cameraPathKeys,
     pathKinds,
-    trackEntries,
+    keyframeKeys,
     isTrackable,
   )
 where
@@ -33,34 +33,34 @@ animationKey :: String
 animationKey = "animation"
 
 -- | A key with its kind of value and a description in one line.
-data Entry = Entry
-  { entryName :: !String,
-    entryKind :: !Kind,
-    entryDoc :: !String
+data AnimationKey = AnimationKey
+  { keyName :: !String,
+    keyKind :: !Kind,
+    keyDoc :: !String
   }
 
 -- | The keys of the section that have a single value; it also has the groups
 -- @camera-path@ and @keyframes@.
-filmEntries :: [Entry]
-filmEntries =
-  [ Entry "frames" (WholeKind 1 maximumFrames "") "Number of frames, instead of the duration",
-    Entry "duration" (NumberKind (Quantity "a duration" (Above 0) (UpTo 1e6) "seconds")) "Duration of the film in seconds, instead of the number of frames",
-    Entry "fps" (NumberKind (Quantity "a number of frames per second" (From 0.001) (UpTo 1000) "")) "Frames per second (default: 24)",
-    Entry "shutter" (NumberKind (Quantity "a fraction of the time between frames" (From 0) (UpTo 1) "")) "Motion blur: the fraction of the time between frames for which the shutter is open (default: 0, no motion blur)",
-    Entry "shutter-samples" (WholeKind 1 maximumShutterSamples "") "Moments averaged in each frame with an open shutter; rendering takes that many times as long (default: 8)"
+animationKeys :: [AnimationKey]
+animationKeys =
+  [ AnimationKey "frames" (WholeKind 1 maximumFrames "") "Number of frames, instead of the duration",
+    AnimationKey "duration" (NumberKind (Quantity "a duration" (Above 0) (UpTo 1e6) "seconds")) "Duration of the animation in seconds, instead of the number of frames",
+    AnimationKey "fps" (NumberKind (Quantity "a number of frames per second" (From 0.001) (UpTo 1000) "")) "Frames per second (default: 24)",
+    AnimationKey "shutter" (NumberKind (Quantity "a fraction of the time between frames" (From 0) (UpTo 1) "")) "Motion blur: the fraction of the time between frames for which the shutter is open (default: 0, no motion blur)",
+    AnimationKey "shutter-samples" (WholeKind 1 maximumShutterSamples "") "Times averaged in each frame with an open shutter; rendering takes that many times as long (default: 8)"
   ]
 
 -- | The keys of the group @camera-path@.
-pathEntries :: [Entry]
-pathEntries =
-  [ Entry "kind" (ChoiceKind "a camera path" [(name, doc) | (name, doc, _) <- pathKinds]) "Kind of the camera path",
-    Entry "turns" (NumberKind (Quantity "a number of turns" (From (-1e4)) (UpTo 1e4) "")) "Number of turns around the hole during the film, right-handed about the axis (default: 1)",
-    Entry "axis" VectorKind "Axis of the turns (default: [0, 1, 0], the disk's axis)",
-    Entry "to" VectorKind "Position of the camera at the end of the film, in Schwarzschild radii",
-    Entry "look-at" VectorKind "Point that the camera looks at in the end, in Schwarzschild radii (default: the same as at the start)",
-    Entry "interpolation" (ChoiceKind "a kind of interpolation" [("linear", "at constant speed"), ("eased", "from rest to rest")]) "Speed along the path: linear (constant), or eased (from rest to rest) (default: linear)",
-    Entry "end-distance" (NumberKind (Quantity "a distance" (Above 0) (UpTo 1e6) "Schwarzschild radii")) "Distance from the hole at the end of the film, in Schwarzschild radii",
-    Entry "rate" (NumberKind (Quantity "a proper time" (From (-1e9)) (UpTo 1e9) "r_s/c per second of film")) "Proper time of the camera per second of film, in r_s/c"
+cameraPathKeys :: [AnimationKey]
+cameraPathKeys =
+  [ AnimationKey "kind" (ChoiceKind "a camera path" [(name, doc) | (name, doc, _) <- pathKinds]) "Kind of the camera path",
+    AnimationKey "turns" (NumberKind (Quantity "a number of turns" (From (-1e4)) (UpTo 1e4) "")) "Number of turns around the hole during the animation, right-handed about the axis (default: 1)",
+    AnimationKey "axis" VectorKind "Axis of the turns (default: [0, 1, 0], the disk's axis)",
+    AnimationKey "to" VectorKind "Position of the camera at the end of the animation, in Schwarzschild radii",
+    AnimationKey "look-at" VectorKind "Point that the camera looks at in the end, in Schwarzschild radii (default: the same as at the start)",
+    AnimationKey "interpolation" (ChoiceKind "a kind of interpolation" [("linear", "at constant speed"), ("eased", "from rest to rest")]) "Speed along the path: linear (constant), or eased (from rest to rest) (default: linear)",
+    AnimationKey "end-distance" (NumberKind (Quantity "a distance" (Above 0) (UpTo 1e6) "Schwarzschild radii")) "Distance from the hole at the end of the animation, in Schwarzschild radii",
+    AnimationKey "rate" (NumberKind (Quantity "a proper time" (From (-1e9)) (UpTo 1e9) "r_s/c per second of animation")) "Proper time of the camera per second of animation, in r_s/c"
   ]
 
 -- | The kinds of camera paths: name, description, and keys.
@@ -73,10 +73,10 @@ pathKinds =
   ]
 
 -- | The keys of a setting under @keyframes@, apart from times.
-trackEntries :: [Entry]
-trackEntries =
-  [ Entry "interpolation" (ChoiceKind "a kind of interpolation" [(interpolationName kind, "") | kind <- [minBound ..]]) "Between two keys: held (the value of the earlier key), linear, eased (from rest to rest) or smooth (Catmull-Rom spline) (default: linear)",
-    Entry "shortest-turn" SwitchKind "For angles in degrees: take the shorter way round from each key to the next (default: false)"
+keyframeKeys :: [AnimationKey]
+keyframeKeys =
+  [ AnimationKey "interpolation" (ChoiceKind "a kind of interpolation" [(interpolationName kind, "") | kind <- [minBound ..]]) "Between two keys: held (the value of the earlier key), linear, eased (from rest to rest) or smooth (Catmull-Rom spline) (default: linear)",
+    AnimationKey "shortest-turn" SwitchKind "For angles in degrees: take the shorter way round from each key to the next (default: false)"
   ]
 
 -- | Whether a setting can have keyframes: all numbers and vectors except the picture's
@@ -98,20 +98,20 @@ trackValue kind values = case (kind, values) of
 
 type Faults = [(Int, Problem)]
 
--- | The section of a file, given its root: the film of a scene, and the problems of the
+-- | The section of a file, given its root: the animation of a scene, and the problems of the
 -- section with their lines. 'Nothing' if there is no such section.
-readAnimation :: Node -> Maybe (Scene -> Film, [(Int, Problem)])
+readAnimation :: Node -> Maybe (Scene -> Animation, [(Int, Problem)])
 readAnimation root = case root of
   Mapping _ members -> case [(at, value) | (at, key, value) <- members, key == animationKey] of
     [] -> Nothing
     [(_, section)] -> Just (readSection section)
-    _ : (second, _) : _ -> Just (stillFilm, [(second, Mistake animationKey "given twice")])
+    _ : (second, _) : _ -> Just (stillAnimation, [(second, Mistake animationKey "given twice")])
   _ -> Nothing
 
-readSection :: Node -> (Scene -> Film, Faults)
-readSection section = (film, faults)
+readSection :: Node -> (Scene -> Animation, Faults)
+readSection section = (animation, faults)
   where
-    (values, others, formFaults) = entriesOf [animationKey] filmEntries ["camera-path", "keyframes"] section
+    (values, others, formFaults) = entriesOf [animationKey] animationKeys ["camera-path", "keyframes"] section
     (path, pathFaults) = maybe (Nothing, []) readPath (lookup "camera-path" others)
     (tracks, trackFaults) = maybe ([], []) readTracks (lookup "keyframes" others)
     faults = formFaults ++ lengthFaults ++ shutterFaults ++ pathFaults ++ trackFaults ++ clashes
@@ -139,14 +139,14 @@ readSection section = (film, faults)
     numberOf name = value name >>= asNumber . snd
     wholeOf name = value name >>= asWhole . snd
     rate = fromMaybe 24 (numberOf "fps")
-    film scene =
-      Film
-        { filmScene = scene,
-          filmFrames = fromMaybe 48 (wholeOf "frames" <|> fmap (\d -> max 1 (round (d * rate))) (numberOf "duration")),
-          filmRate = rate,
-          filmTracks = tracks,
-          filmPath = path,
-          filmShutter = Shutter (fromMaybe 0 (numberOf "shutter")) (fromMaybe 8 (wholeOf "shutter-samples"))
+    animation scene =
+      Animation
+        { animationScene = scene,
+          animationFrames = fromMaybe 48 (wholeOf "frames" <|> fmap (\d -> max 1 (round (d * rate))) (numberOf "duration")),
+          animationRate = rate,
+          animationTracks = tracks,
+          animationPath = path,
+          animationShutter = Shutter (fromMaybe 0 (numberOf "shutter")) (fromMaybe 8 (wholeOf "shutter-samples"))
         }
 
 readPath :: Node -> (Maybe CameraPath, Faults)
@@ -156,7 +156,7 @@ readPath node = case value "kind" of
       missing = [(nodeLine node, Mistake pathLabel ("a path of the kind " ++ kind ++ " needs " ++ wanted)) | wanted <- lacking kind]
   _ -> (Nothing, formFaults ++ [(nodeLine node, Mistake pathLabel ("needs a kind: " ++ intercalate ", " [kind | (kind, _, _) <- pathKinds])) | null formFaults])
   where
-    (values, _, formFaults) = entriesOf [animationKey, "camera-path"] pathEntries [] node
+    (values, _, formFaults) = entriesOf [animationKey, "camera-path"] cameraPathKeys [] node
     pathLabel = within "camera-path"
     value name = lookup name values
     surplus kind =
@@ -221,7 +221,7 @@ readTrack label field node = case node of
       Right good -> (Just (Track (fieldPath field) setField way good), [])
       Left problem -> (Nothing, [(line, Mistake label (renderKeysProblem problem))])
     where
-      (options, _, formFaults) = entriesWith isTime [label] trackEntries [] node
+      (options, _, formFaults) = entriesWith isTime [label] keyframeKeys [] node
       isTime = isJust . readNumber
       found = [(at, text, value) | (at, text, value) <- members, isTime text]
       faults = formFaults ++ concat [either pure (const []) (keyOf m) | m <- found] ++ twice ++ turnFaults
@@ -267,23 +267,23 @@ within name = animationKey ++ "." ++ name
 
 -- | The members of a group: values of known keys with their lines, the nodes of the
 -- groups inside it, and the problems of the other members.
-entriesOf :: [String] -> [Entry] -> [String] -> Node -> ([(String, (Int, Value))], [(String, Node)], Faults)
+entriesOf :: [String] -> [AnimationKey] -> [String] -> Node -> ([(String, (Int, Value))], [(String, Node)], Faults)
 entriesOf = entriesWith (const False)
 
 -- | The same, without the keys that satisfy a predicate.
-entriesWith :: (String -> Bool) -> [String] -> [Entry] -> [String] -> Node -> ([(String, (Int, Value))], [(String, Node)], Faults)
+entriesWith :: (String -> Bool) -> [String] -> [AnimationKey] -> [String] -> Node -> ([(String, (Int, Value))], [(String, Node)], Faults)
 entriesWith skipped above entries groups node = case node of
   Mapping _ members -> foldMap (member members) (zip [0 :: Int ..] members)
   _ -> ([], [], [(nodeLine node, Problem (intercalate "." above) (nodeText node) ("a group of settings; the settings here are: " ++ intercalate ", " names))])
   where
-    names = map entryName entries ++ groups
+    names = map keyName entries ++ groups
     member members (i, (line, key, value))
       | skipped key = ([], [], [])
       | key `elem` [k | (j, (_, k, _)) <- zip [0 ..] members, j < i] = ([], [], [(line, Mistake (intercalate "." (above ++ [key])) "given twice")])
       | key `elem` groups = ([], [(key, value)], [])
-      | Just entry <- find ((== key) . entryName) entries = case readNode (entryKind entry) value of
+      | Just entry <- find ((== key) . keyName) entries = case readNode (keyKind entry) value of
         Left expected -> wrong (nodeLine value) (nodeText value) expected
-        Right v -> case rangeFault (entryKind entry) v of
+        Right v -> case rangeFault (keyKind entry) v of
           Nothing -> ([(key, (line, v))], [], [])
           Just range -> wrong line (showValue v) range
       | otherwise = wrong line ("'" ++ key ++ "'") ("a key of " ++ intercalate "." above ++ suggestion key names ++ "; its keys are: " ++ intercalate ", " names)

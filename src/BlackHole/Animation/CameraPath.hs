@@ -21,7 +21,7 @@ import qualified BlackHole.Vector.XYZ as XYZ
 
 -- | A movement, from the scene's own camera onwards.
 data CameraPath
-  = -- | A number of turns around the hole during the film, right-handed about
+  = -- | A number of turns around the hole during the animation, right-handed about
     -- an axis (of any length but zero), at constant speed or 'Eased'. The camera
     -- keeps looking where it looked, seen from the hole: at the hole if it did.
     Orbit !XYZ !Double !Interpolation
@@ -29,12 +29,12 @@ data CameraPath
     -- another one if there is one.
     Dolly !XYZ !(Maybe XYZ) !Interpolation
   | -- | Free fall from rest at infinity, straight in, past the horizon. Sets the
-    -- observer to 'Falling'; the film's time is his proper time. The camera
+    -- observer to 'Falling'; the animation's time is his proper time. The camera
     -- keeps its direction of sight.
     FreeFall !Pace
   | -- | The circular geodesic through the camera's place, which must lie in the
     -- disk's plane for the 'Orbiting' observer to be the one who moves on it.
-    -- Proper time per second of film in @r_s\/c@.
+    -- Proper time per second of animation in @r_s\/c@.
     CircularOrbit !Double
   deriving (Eq, Show)
 
@@ -48,14 +48,14 @@ cameraPathName path = case path of
 
 -- | How fast a fall is shown.
 data Pace
-  = -- | Proper time in @r_s\/c@ per second of film.
+  = -- | Proper time in @r_s\/c@ per second of animation.
     ProperTimePerSecond !Double
-  | -- | Such that the film ends at this radius.
+  | -- | Such that the animation ends at this radius.
     FallsTo !Double
   deriving (Eq, Show)
 
 -- | @alongPath path duration seconds scene@: the scene with its camera moved to
--- where it is after some seconds of a film of the given duration (above 0). On
+-- where it is after some seconds of an animation of the given duration (above 0). On
 -- the left, why there is no such place.
 alongPath :: CameraPath -> Double -> Double -> Scene -> Either String Scene
 alongPath path duration seconds scene = case path of
@@ -109,7 +109,7 @@ poseTarget Around {} = XYZ.zero
 -- | Turn place and target right-handed about an axis (unit length) by degrees.
 turnPose :: XYZ -> Double -> Pose -> Pose
 turnPose axis@(XYZ ax ay az) degrees pose = case pose of
-  -- Without the detour through sines the film of a whole turn closes exactly.
+  -- Without the detour through sines the animation of a whole turn closes exactly.
   Around r inclination (Degrees azimuth)
     | ax == 0 && az == 0 -> Around r inclination (Degrees (azimuth - signum ay * degrees))
   Around {} -> around (turned (posePosition pose))

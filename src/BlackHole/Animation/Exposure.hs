@@ -1,7 +1,6 @@
--- | The light of a frame: of one moment, or the mean of several moments.
+-- | The light of a frame: that of one scene, or the mean of several for motion blur.
 module BlackHole.Animation.Exposure
   ( exposeMotionBlur,
-    exposeMotionBlurRows,
   )
 where
 
@@ -9,7 +8,6 @@ import BlackHole.Render.Film
 import BlackHole.Render.PixelArray (PixelArray, fromPixelVector, pixelArrayShape, toPixelVector)
 import BlackHole.Render.PixelShape
 import BlackHole.Render.Workers (Workers)
-import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
 import BlackHole.Trace.EnvironmentMap (EnvironmentMap)
 import Control.Monad (join)
@@ -18,18 +16,13 @@ import Data.List.NonEmpty (NonEmpty (..))
 import Data.Maybe (isJust)
 import qualified Data.Vector.Storable as Vector
 
--- | Traces every moment and averages their linear light; the numbers of samples are
--- added. The callback receives the finished fraction of all rows. Needs the memory of
--- two films for any number of moments. The first argument is the environment map, if
--- the scenes have one, which must be the same for all. 'Nothing' if a scene is not
--- valid or their pictures differ in size.
-exposeMotionBlur :: Maybe EnvironmentMap -> Workers -> (Double -> IO ()) -> NonEmpty Scene -> IO (Maybe Exposed)
-exposeMotionBlur sky workers progress scenes@(first :| _) =
-  exposeMotionBlurRows sky workers progress scenes (0, pictureHeight (scenePicture first))
-
--- | 'exposeMotionBlur' for a band of the picture: its first row and its number of rows.
-exposeMotionBlurRows :: Maybe EnvironmentMap -> Workers -> (Double -> IO ()) -> NonEmpty Scene -> (Int, Int) -> IO (Maybe Exposed)
-exposeMotionBlurRows sky workers progress (first :| rest) (firstRow, rows) = do
+-- | @exposeMotionBlur sky workers progress scenes band@ traces a band of every scene
+-- ('exposeFilm') and averages their linear light; the numbers of samples are added. The
+-- callback receives the finished fraction of all rows. Needs the memory of two films for
+-- any number of scenes, which must have equal environment maps. 'Nothing' if a scene is
+-- not valid or their pictures differ in size.
+exposeMotionBlur :: Maybe EnvironmentMap -> Workers -> (Double -> IO ()) -> NonEmpty Scene -> (Int, Int) -> IO (Maybe Exposed)
+exposeMotionBlur sky workers progress (first :| rest) (firstRow, rows) = do
   start <- expose 0 first
   total <- foldlM next start (zip [1 ..] rest)
   pure (total >>= divided)
@@ -38,7 +31,7 @@ exposeMotionBlurRows sky workers progress (first :| rest) (firstRow, rows) = do
     expose :: Int -> Scene -> IO (Maybe Exposed)
     expose k scene
       | scenePicture scene /= scenePicture first = pure Nothing
-      | otherwise = (>>= counted scene) <$> exposeCounted sky workers (\done -> progress ((fromIntegral k + fromIntegral done / fromIntegral (max 1 rows)) / fromIntegral count)) scene (firstRow, rows)
+      | otherwise = (>>= counted scene) <$> exposeFilm sky workers (\done -> progress ((fromIntegral k + fromIntegral done / fromIntegral (max 1 rows)) / fromIntegral count)) scene (firstRow, rows)
     next before (k, scene) = do
       seen <- expose k scene
       pure $! join (together <$> before <*> seen)

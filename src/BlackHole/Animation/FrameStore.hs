@@ -1,12 +1,12 @@
 {-# LANGUAGE ScopedTypeVariables #-}
 
--- | The frame store of a film's frames: a folder @.blackhole@ next to them.
+-- | The frame store of an animation's frames: a folder @.blackhole@ next to them.
 --
 -- Each finished frame has a record, a small text with the fingerprints of the frame's
 -- scene and of its file. A frame counts as done only if both match. The program moves
 -- the file into place first and the record after it, each in one step, so a program
 -- killed at any moment leaves complete frames, and at worst one frame without a record,
--- which is rendered again. A list of all frames shows which ones the film still lacks,
+-- which is rendered again. A list of all frames shows which ones the animation still lacks,
 -- without access to its scene.
 module BlackHole.Animation.FrameStore
   ( FrameStore,
@@ -14,8 +14,8 @@ module BlackHole.Animation.FrameStore
     frameStoreLeases,
     frameStoreName,
     frameLabel,
-    Condition (..),
-    frameCondition,
+    FrameState (..),
+    frameState,
     Record (..),
     storeFrame,
     removeLeftOver,
@@ -66,7 +66,7 @@ frameStoreFolderName :: FilePath
 frameStoreFolderName = ".blackhole"
 
 -- | The state of a frame's file.
-data Condition
+data FrameState
   = -- | Finished, for the requested scene, and undamaged.
     Finished !Record
   | -- | The file does not exist.
@@ -89,8 +89,8 @@ data Record = Record
 
 -- | The state of a frame relative to the fingerprint of its scene. Reads the file
 -- unless its size already decides.
-frameCondition :: FrameStore -> Int -> Digest -> IO Condition
-frameCondition store frame scene = do
+frameState :: FrameStore -> Int -> Digest -> IO FrameState
+frameState store frame scene = do
   exists <- doesFileExist file
   if not exists
     then pure Missing

@@ -278,7 +278,7 @@ makeExclusively (LeaseFolder folder self _) path =
           | isAlreadyExistsError refusal -> pure False
           | otherwise -> throwIO (refusal :: IOException)
 
--- One for each thread, since a film's list and its frames are leased at once.
+-- One for each thread, since an animation's list and its frames are leased at once.
 temporaryName :: String -> Holder -> IO String
 temporaryName purpose holder = do
   thread <- filter isDigit . show <$> myThreadId

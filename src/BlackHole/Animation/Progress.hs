@@ -1,4 +1,4 @@
--- | Progress of a film as text and as a bar.
+-- | Progress of an animation as text and as a bar.
 module BlackHole.Animation.Progress
   ( Tally (..),
     startTally,

@@ -1,4 +1,4 @@
--- | The work queue of a film's frames, shared with any number of other processes and
+-- | The work queue of an animation's frames, shared with any number of other processes and
 -- resumable after interruptions.
 module BlackHole.Animation.Queue
   ( Job (..),
@@ -57,7 +57,7 @@ data Patience
 workThrough ::
   FrameStore ->
   Patience ->
-  (Job -> Condition -> IO ()) ->
+  (Job -> FrameState -> IO ()) ->
   (Job -> Outcome -> IO ()) ->
   (Job -> IO (Either String Lazy.ByteString)) ->
   [Job] ->
@@ -84,7 +84,7 @@ workThrough store patience begun ended render jobs = do
         _ -> pure outcome
     attempt job = caught (make job)
     make job = do
-      before <- frameCondition store (jobFrame job) (jobScene job)
+      before <- frameState store (jobFrame job) (jobScene job)
       case before of
         Finished _ -> WasDone <$ sweepFrame store (jobFrame job)
         _ -> do
@@ -97,7 +97,7 @@ workThrough store patience begun ended render jobs = do
     -- Another process may have finished the frame between the check and the lease.
     underLease job former = do
       for_ former (removeLeftOver store (jobFrame job))
-      condition <- frameCondition store (jobFrame job) (jobScene job)
+      condition <- frameState store (jobFrame job) (jobScene job)
       case condition of
         Finished _ -> pure WasDone
         _ -> do

@@ -1,12 +1,12 @@
--- | Shoot a film: its frames into files, each once, whoever else is at it, and
--- if asked for a film file of them.
+-- | Rendering an animation: each frame once into its file, also if several processes
+-- share the work, and on request a video file of all frames.
 module BlackHole.Animation.Shoot
   ( Shooting (..),
-    Told (..),
+    Report (..),
     Shot (..),
     shoot,
     frameDigest,
-    momentsText,
+    scenesText,
   )
 where
 
@@ -36,72 +36,73 @@ import qualified Data.List.NonEmpty as NonEmpty
 import Data.Maybe (isNothing)
 import GHC.Clock (getMonotonicTime)
 
--- | What is to be done.
+-- | The work of one run.
 data Shooting = Shooting
-  { shootingFilm :: !Film,
-    -- | Numbers of this run's frames, in the order in which they are made.
+  { shootingAnimation :: !Animation,
+    -- | Numbers of this run's frames, in the order in which they are rendered.
     shootingFrames :: ![Int],
     shootingName :: !FrameName,
     -- | Seconds after which leases from other machines count as abandoned.
     shootingPatience :: !Double,
     shootingWorkers :: !Workers,
-    -- | The film file with the program that codes it.
+    -- | The path of ffmpeg, the encoding and the path of the video file, if one is asked
+    -- for.
     shootingVideo :: !(Maybe (FilePath, VideoCoding, FilePath)),
-    -- | The picture of the sky if that of the film is a panorama.
+    -- | The environment map, if the scenes have one.
     shootingSky :: !(Maybe EnvironmentMap),
-    -- | A text that is equal for equal scenes and skies, and says which program this is.
+    -- | A text that is equal for equal scenes, skies and versions of the program.
     shootingText :: !(Scene -> String),
-    -- | The file of a frame, from its scenes and their mean light; 'Nothing' if
-    -- its format has no room for the picture.
+    -- | The bytes of a frame's file, from its scenes and their mean light; 'Nothing' if
+    -- the picture is too large for the format.
     shootingDevelop :: !(NonEmpty Scene -> Light.Exposed -> IO (Maybe Lazy.ByteString))
   }
 
--- | What the listener hears of.
-data Told
-  = -- | How far it is, and the frame in work.
+-- | What a run reports to its listener.
+data Report
+  = -- | The frame in progress, if any, and the work done so far.
     Progressed !(Maybe Int) !Tally
-  | -- | Something that somebody should know, in one line.
+  | -- | A message for the user, in one line.
     Remark !String
 
--- | How it went.
+-- | The result of a run.
 data Shot = Shot
   { shotTally :: !Tally,
-    -- | Each frame's outcome.
+    -- | The outcome of each frame.
     shotOutcomes :: ![(Int, Outcome)],
-    -- | Why there is no film file, if one was asked for and is lacking.
+    -- | The reason why a requested video file is missing.
     shotVideoFault :: !(Maybe String)
   }
 
--- | The fingerprint of a frame, by the text of its scenes.
+-- | The fingerprint of a frame, from the texts of its scenes.
 frameDigest :: (Scene -> String) -> NonEmpty Scene -> Digest
-frameDigest text = digestText . momentsText text
+frameDigest text = digestText . scenesText text
 
 -- | The texts of a frame's scenes.
-momentsText :: (Scene -> String) -> NonEmpty Scene -> String
-momentsText text = concatMap text . NonEmpty.toList
+scenesText :: (Scene -> String) -> NonEmpty Scene -> String
+scenesText text = concatMap text . NonEmpty.toList
 
--- | Do it. The listener hears often of progress, from one thread at a time.
--- Frames whose scenes are not valid fail; the caller may find them beforehand
--- ('frameScenes'). Exceptions: what the file system says of the frame store, and what
--- comes from outside; a film file begun is then removed.
-shoot :: Shooting -> (Told -> IO ()) -> IO Shot
+-- | Renders the missing, outdated and damaged frames. Calls the listener with the
+-- progress, from one thread at a time. Frames with invalid scenes fail; 'frameScenes'
+-- finds them beforehand. Throws the exceptions of the file system that concern the frame
+-- store, and asynchronous ones; an unfinished video file is then removed.
+shoot :: Shooting -> (Report -> IO ()) -> IO Shot
 shoot shooting listen = do
   holder <- currentHolder
   store <- openFrameStore (shootingName shooting) holder (shootingPatience shooting)
-  -- For a film of hours the list takes minutes, which need not come first.
-  withAsync (writeFrameList store [(n, digest) | n <- [0 .. filmFrames film - 1], Right digest <- [digestOf n]]) $ \listing -> do
+  -- For an animation of hours the list takes minutes; rendering need not wait for it.
+  withAsync (writeFrameList store [(n, digest) | n <- [0 .. animationFrames animation - 1], Right digest <- [digestOf n]]) $ \listing -> do
     shot <- shootFrames store
     shot <$ wait listing
   where
-    film = shootingFilm shooting
+    animation = shootingAnimation shooting
     frames = shootingFrames shooting
     patience = maybe LeaveOthers (const WaitForOthers) (shootingVideo shooting)
-    digestOf n = frameDigest (shootingText shooting) <$> frameScenes film n
+    digestOf n = frameDigest (shootingText shooting) <$> frameScenes animation n
     shootFrames store = do
       state <- newMVar (startTally (length frames))
       clock <- newIORef Nothing
-      feed <- traverse (\(coder, kind, target) -> startVideoFeed coder kind (filmRate film) target (shootingName shooting) frames) (shootingVideo shooting)
-      forM_ (feed >>= videoFeedFault) (listen . Remark . ("the film file cannot be made: " ++))
+      feed <- traverse (\(coder, kind, target) -> startVideoFeed coder kind (animationRate animation) target (shootingName shooting) frames) (shootingVideo shooting)
+      forM_ (feed >>= videoFeedFault) (listen . Remark . ("the video file cannot be made: " ++))
       let run =
             workThrough store patience (begun state clock) (ended state clock feed) (render state clock) $
               [Job n (fromRight (digestText "") (digestOf n)) | n <- frames]
@@ -111,7 +112,7 @@ shoot shooting listen = do
       pure (Shot tally [(jobFrame job, outcome) | (job, outcome) <- outcomes] fault)
     begun state clock job condition = do
       now <- getMonotonicTime
-      -- The pace is that of rendering, without the look at what is there.
+      -- The pace counts rendering only, without checking the frames that exist.
       started <- readIORef clock
       when (isNothing started) $ writeIORef clock (Just now)
       case condition of
@@ -131,10 +132,10 @@ shoot shooting listen = do
       let tally = (change before) {tallySeconds = maybe 0 (now -) started}
       listen (Progressed current tally)
       pure tally
-    render state clock job = case frameScenes film (jobFrame job) of
+    render state clock job = case frameScenes animation (jobFrame job) of
       Left problems -> pure (Left (unwords (map show problems)))
       Right scenes -> do
-        exposed <- exposeMotionBlur (shootingSky shooting) (shootingWorkers shooting) (\part -> update state clock (Just (jobFrame job)) (\tally -> tally {tallyPart = part})) scenes
+        exposed <- exposeMotionBlur (shootingSky shooting) (shootingWorkers shooting) (\part -> update state clock (Just (jobFrame job)) (\tally -> tally {tallyPart = part})) scenes (Light.allRows (scenePicture (animationScene animation)))
         case exposed of
           Nothing -> pure (Left "its scenes cannot be traced together")
           Just light -> do

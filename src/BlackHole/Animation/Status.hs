@@ -1,7 +1,7 @@
 -- | The status of a folder of frames, for a process that renders none of them.
 module BlackHole.Animation.Status
-  ( FilmStatus (..),
-    filmStatuses,
+  ( AnimationStatus (..),
+    animationStatuses,
     isComplete,
     statusLines,
   )
@@ -12,23 +12,23 @@ import BlackHole.Animation.FrameStore
 import BlackHole.Animation.Lease
 import BlackHole.Animation.Progress (frameRanges)
 
--- | The frames of one film, each in exactly one of the lists.
-data FilmStatus = FilmStatus
+-- | The frames of one animation, each in exactly one of the lists.
+data AnimationStatus = AnimationStatus
   { statusName :: !FrameName,
     statusDone :: ![Int],
     -- | Frames in progress, with their holders.
     statusRunning :: ![(Int, Maybe Holder)],
     statusMissing :: ![Int],
-    -- | Frames of a different scene than the film's latest run asked for.
+    -- | Frames of a different scene than the animation's latest run asked for.
     statusStale :: ![Int],
     statusDamaged :: ![Int]
   }
 
--- | The status of all films in a folder, from the lists that their runs left. Reads
+-- | The status of all animations in a folder, from the lists that their runs left. Reads
 -- every finished frame once. Leases of other machines count as abandoned after this
 -- many seconds without a touch.
-filmStatuses :: FilePath -> Double -> IO [FilmStatus]
-filmStatuses folder patience = do
+animationStatuses :: FilePath -> Double -> IO [AnimationStatus]
+animationStatuses folder patience = do
   lists <- readFrameLists folder
   holder <- currentHolder
   mapM (status holder) lists
@@ -37,7 +37,7 @@ filmStatuses folder patience = do
       store <- openFrameStore name holder patience
       found <- mapM (look store) frames
       pure
-        FilmStatus
+        AnimationStatus
           { statusName = name,
             statusDone = [n | (n, Done) <- found],
             statusRunning = [(n, who) | (n, Running who) <- found],
@@ -46,25 +46,25 @@ filmStatuses folder patience = do
             statusDamaged = [n | (n, Lacking Damaged) <- found]
           }
     look store (n, digest) = do
-      condition <- frameCondition store n digest
-      case condition of
+      state <- frameState store n digest
+      case state of
         Finished _ -> pure (n, Done)
         _ -> do
           alive <- liveHolder (frameStoreLeases store) (frameLabel store n)
-          pure (n, maybe (Lacking condition) Running alive)
+          pure (n, maybe (Lacking state) Running alive)
 
-data Look
+data FrameProgress
   = Done
   | Running !(Maybe Holder)
-  | Lacking !Condition
+  | Lacking !FrameState
 
 -- | Whether all frames are done.
-isComplete :: FilmStatus -> Bool
+isComplete :: AnimationStatus -> Bool
 isComplete status =
   null (statusRunning status) && null (statusMissing status) && null (statusStale status) && null (statusDamaged status)
 
 -- | The status as text: a line of counts, followed by the frames that are not done.
-statusLines :: FilmStatus -> [String]
+statusLines :: AnimationStatus -> [String]
 statusLines status =
   ( framePattern (statusName status) ++ ": " ++ show total ++ " frames, " ++ show (length (statusDone status)) ++ " done, "
       ++ show (length (statusRunning status))

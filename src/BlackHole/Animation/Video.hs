@@ -1,6 +1,5 @@
--- | Films as one file, coded by ffmpeg, which is a program of its own. It is fed
--- with the finished frames' files as they come; nothing that happens to it can
--- harm them.
+-- | Video files, which ffmpeg encodes as a separate process from the files of the
+-- finished frames. A failure of ffmpeg leaves the frames untouched.
 module BlackHole.Animation.Video
   ( VideoKind (..),
     videoKind,
@@ -39,21 +38,21 @@ import System.FilePath (takeDirectory, takeExtension)
 import System.IO (Handle, hClose, hSetBinaryMode)
 import System.Process
 
--- | The kinds of film files.
+-- | The kinds of video files.
 data VideoKind
   = -- | H.264 in MP4.
     Mp4
   | -- | VP9 in WebM.
     WebM
-  | -- | A GIF of 256 colours chosen for the film.
+  | -- | A GIF with 256 colours chosen for the video.
     Gif
   deriving (Eq, Show, Enum, Bounded)
 
--- | The kind that a file's name asks for.
+-- | The kind of file for a name's extension; 'Nothing' for other extensions.
 videoKind :: FilePath -> Maybe VideoKind
 videoKind path = lookup (map toLower (takeExtension path)) [(videoExtension kind, kind) | kind <- [minBound ..]]
 
--- | The extensions that 'videoKind' knows.
+-- | The extensions that 'videoKind' accepts.
 videoExtensions :: [String]
 videoExtensions = map videoExtension [minBound ..]
 
@@ -63,7 +62,7 @@ videoExtension kind = case kind of
   WebM -> ".webm"
   Gif -> ".gif"
 
--- | The codecs of film files.
+-- | The codecs of video files.
 data VideoCodec = H264 | H265 | Vp9 | Av1
   deriving (Eq, Show, Enum, Bounded)
 
@@ -78,7 +77,7 @@ kindCodecs kind = case kind of
   WebM -> [Vp9, Av1]
   Gif -> []
 
--- | How to encode a film file.
+-- | How to encode a video file.
 data VideoCoding = VideoCoding
   { videoCodingKind :: !VideoKind,
     -- | Without a codec, the kind's default.
@@ -106,7 +105,7 @@ videoCodingProblems (VideoCoding kind codec crf) = case (kindCodecs kind, codec)
     nameOf c = concat [name | (name, named) <- videoCodecs, named == c]
 
 -- | The arguments for ffmpeg to read PNG files one after the other from its standard
--- input and write a film of some frames per second to a file. They declare the colours
+-- input and write a video of some frames per second to a file. They declare the colours
 -- as they are: the primaries and the transfer curve of sRGB with the matrix of BT.709.
 -- All codecs halve the resolution of colour, which takes even sides: odd ones get a row
 -- or column of black.
@@ -132,26 +131,26 @@ ffmpegArguments (VideoCoding kind codec crf) rate output =
     planes = "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv,format=yuv420p"
     colours = ["-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "iec61966-2-1", "-color_range", "tv"]
 
--- | ffmpeg, if it is installed. Without a variable PATH there is nowhere to look.
+-- | The path of ffmpeg, if it is installed; 'Nothing' without a variable @PATH@.
 findCoder :: IO (Maybe FilePath)
 findCoder = fromRight Nothing <$> reasonOf (findExecutable "ffmpeg")
 
--- | A film file in the making.
+-- | A video file that is being encoded.
 data Video = Video
   { videoTarget :: !FilePath,
     videoPart :: !FilePath,
     videoProcess :: !ProcessHandle,
     videoInput :: !Handle,
     videoFrames :: !(Chan (Maybe FilePath)),
-    -- | Ends with what went wrong with the frames, if anything did.
+    -- | Ends with the reason if a frame could not be passed on.
     videoFeeder :: !(Async (Maybe String)),
-    -- | Ends with what the coder said.
+    -- | Ends with the messages of ffmpeg.
     videoComplaints :: !(Async String)
   }
 
--- | Start a coder (its program's path) on a film of some frames per second. The
--- film file appears only by 'finishVideo', complete. On the left, why it could
--- not be started.
+-- | @startVideo ffmpeg coding rate target@ starts ffmpeg, given its path, for a video of
+-- some frames per second. The file appears, complete, with 'finishVideo'. 'Left' holds
+-- the reason if ffmpeg cannot be started.
 startVideo :: FilePath -> VideoCoding -> Double -> FilePath -> IO (Either String Video)
 startVideo coder coding rate target = mask_ $ do
   sweepPartFiles (takeDirectory target)
@@ -160,7 +159,9 @@ startVideo coder coding rate target = mask_ $ do
     Left reason -> pure (Left reason)
     Right (part, handle) -> do
       hClose handle
-      launched <- reasonOf . createProcess $ (proc coder (ffmpegArguments coding rate part)) {std_in = CreatePipe, std_err = CreatePipe}
+      -- A copy of the handle of a locked file would keep that file locked as long as
+      -- ffmpeg runs.
+      launched <- reasonOf . createProcess $ (proc coder (ffmpegArguments coding rate part)) {std_in = CreatePipe, std_err = CreatePipe, close_fds = True}
       case launched of
         Right (Just input, Nothing, Just complaints, process) -> do
           hSetBinaryMode input True
@@ -185,12 +186,12 @@ startVideo coder coding rate target = mask_ $ do
       bytes <- Bytes.hGetContents complaints
       pure (unwords (words (Char8.unpack bytes)))
 
--- | Send the next frame's file, without waiting for the coder.
+-- | Passes on the file of the next frame, without waiting for ffmpeg.
 feedVideo :: Video -> FilePath -> IO ()
 feedVideo video = writeChan (videoFrames video) . Just
 
--- | Wait until the coder has all frames, and put the film into its place. On
--- the left, what went wrong; then there is no new film.
+-- | Waits until ffmpeg has encoded all frames, and moves the video file to its place.
+-- 'Left' holds the reason for a failure, after which there is no new file.
 finishVideo :: Video -> IO (Either String ())
 finishVideo video = do
   writeChan (videoFrames video) Nothing
@@ -210,7 +211,7 @@ finishVideo video = do
     failed reason = removeQuietly (videoPart video) $> Left reason
     remark said = if null said then "" else " (" ++ take 400 said ++ ")"
 
--- | Give the film up: end the coder and remove what it has written.
+-- | Stops ffmpeg and removes its unfinished file.
 abandonVideo :: Video -> IO ()
 abandonVideo video = mask_ $ do
   cancel (videoFeeder video)

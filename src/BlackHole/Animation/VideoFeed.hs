@@ -1,5 +1,5 @@
--- | Finished frames on their way into a film file, in the film's order, whatever
--- the order in which they are finished.
+-- | The feed of finished frames into a video file: in the order of the animation, in
+-- whatever order they are finished.
 module BlackHole.Animation.VideoFeed
   ( VideoFeed,
     startVideoFeed,
@@ -19,29 +19,29 @@ import Data.IORef (IORef, modifyIORef', newIORef, readIORef, writeIORef)
 import Data.List (sort)
 import qualified Data.Set as Set
 
--- | A film file in the making, or why there is none.
+-- | A video file that is being encoded, or the reason why there is none.
 data VideoFeed = VideoFeed
   { feedVideoFile :: !(Either String Video),
     videoFeedName :: !FrameName,
-    -- | Frames not sent yet, in the film's order.
+    -- | Frames not sent yet, in the animation's order.
     videoFeedLeft :: !(IORef [Int]),
-    -- | Finished ones that wait for one before them.
+    -- | Finished frames that wait for an earlier one.
     videoFeedReady :: !(IORef (Set.Set Int)),
     videoFeedFailed :: !(IORef [Int])
   }
 
--- | @startFeed coder kind rate target name frames@: 'startVideo' for these
--- frames.
+-- | @startVideoFeed ffmpeg coding rate target name frames@ starts a video of these frames
+-- ('startVideo').
 startVideoFeed :: FilePath -> VideoCoding -> Double -> FilePath -> FrameName -> [Int] -> IO VideoFeed
 startVideoFeed coder kind rate target name frames = do
   started <- startVideo coder kind rate target
   VideoFeed started name <$> newIORef frames <*> newIORef Set.empty <*> newIORef []
 
--- | Why the film file could not be begun.
+-- | The reason why the video file could not be started.
 videoFeedFault :: VideoFeed -> Maybe String
 videoFeedFault = either Just (const Nothing) . feedVideoFile
 
--- | Tell what became of a frame.
+-- | Takes note of a frame's outcome, and passes on the frames whose turn has come.
 feedFrame :: VideoFeed -> Int -> Outcome -> IO ()
 feedFrame feed frame outcome = do
   case outcome of
@@ -62,7 +62,7 @@ feedFrame feed frame outcome = do
           advance
         _ -> pure ()
 
--- | Finish the file; if there is none, why.
+-- | Finishes the video file; 'Just' the reason if there is none.
 finishVideoFeed :: VideoFeed -> IO (Maybe String)
 finishVideoFeed feed = do
   failed <- readIORef (videoFeedFailed feed)
@@ -74,6 +74,6 @@ finishVideoFeed feed = do
         abandonVideo video
         pure (Just ("frames " ++ frameRanges (sort failed) ++ " are missing"))
 
--- | Give the file up.
+-- | Stops the video and removes its unfinished file.
 abandonVideoFeed :: VideoFeed -> IO ()
 abandonVideoFeed feed = forM_ (feedVideoFile feed) abandonVideo

@@ -1,13 +1,13 @@
--- | @blackhole animate@: renders the frames of a film, together with other processes and
+-- | @blackhole animate@: renders the frames of an animation, together with other processes and
 -- across interruptions.
 module BlackHole.Cli.Animate
   ( AnimateOptions (..),
     ShardChoice (..),
     animateOptions,
     framePatternOf,
-    adjustFilm,
+    adjustAnimation,
     Ending (..),
-    runFilm,
+    runAnimation,
     showStatus,
   )
 where
@@ -69,7 +69,7 @@ data AnimateOptions scene = AnimateOptions
     animateCrf :: !(Maybe Int),
     animateThreads :: !(Maybe Int),
     animatePatience :: !Double,
-    -- | Report on the films in this folder instead.
+    -- | Report on the animations in this folder instead.
     animateStatus :: !(Maybe FilePath),
     animateReporting :: !Reporting
   }
@@ -79,7 +79,7 @@ data AnimateOptions scene = AnimateOptions
 framePatternOf :: AnimateOptions scene -> String
 framePatternOf = fromMaybe "frames/%05d.png" . animateOutput
 
--- | Which part of a film to render.
+-- | Which part of an animation to render.
 data ShardChoice
   = TheShard !Shard
   | -- | The part of this task of a Slurm array job.
@@ -96,13 +96,13 @@ animateOptions scene =
     <*> setting (option number (long "orbit" <> metavar "DEGREES" <> help "Move the camera this far around the hole, about the disk's axis, instead of along the scene file's camera path; needs no scene file"))
     <*> setting (option frameRange (long "frame-range" <> metavar "A-B" <> help "Render only these frames, counted from 0: A, A- or A-B"))
     <*> setting (option number (long "fps" <> metavar "F" <> help "Frames per second; does not change the duration (default: the scene file's, or 24)"))
-    <*> setting (option number (long "duration" <> metavar "SECONDS" <> help "Duration of the film (default: the scene file's, or 2)"))
+    <*> setting (option number (long "duration" <> metavar "SECONDS" <> help "Duration of the animation (default: the scene file's, or 2)"))
     <*> setting (option number (long "shutter" <> metavar "FRACTION" <> help "Motion blur: the fraction of the time between frames for which the shutter is open, 0 to 1 (default: the scene file's, or 0)"))
-    <*> setting (option wholeNumber (long "shutter-samples" <> metavar "N" <> help "Moments averaged in each frame with an open shutter; rendering takes N times as long (default: the scene file's, or 8)"))
+    <*> setting (option wholeNumber (long "shutter-samples" <> metavar "N" <> help "Times averaged in each frame with an open shutter; rendering takes N times as long (default: the scene file's, or 8)"))
     <*> setting (option shardChoice (long "shard" <> metavar "I/N|slurm" <> help "Render only every N-th frame, beginning with the I-th; slurm takes I and N from a Slurm array job"))
-    <*> setting (strOption (long "video" <> metavar "FILE" <> action "file" <> help ("Also make a film file of the frames with ffmpeg: " ++ intercalate ", " videoExtensions)))
-    <*> setting (option (named "a codec" videoCodecs) (long "codec" <> metavar "NAME" <> completeWith (map fst videoCodecs) <> help "Codec of the film file: h264, h265 or av1 for .mp4, vp9 or av1 for .webm (default: h264 or vp9)"))
-    <*> setting (option wholeNumber (long "crf" <> metavar "N" <> help "Constant rate factor of the film file: less is better and larger (default: 16 for h264, 18 for h265, 24 for vp9 and av1)"))
+    <*> setting (strOption (long "video" <> metavar "FILE" <> action "file" <> help ("Also make a video file of the frames with ffmpeg: " ++ intercalate ", " videoExtensions)))
+    <*> setting (option (named "a codec" videoCodecs) (long "codec" <> metavar "NAME" <> completeWith (map fst videoCodecs) <> help "Codec of the video file: h264, h265 or av1 for .mp4, vp9 or av1 for .webm (default: h264 or vp9)"))
+    <*> setting (option wholeNumber (long "crf" <> metavar "N" <> help "Constant rate factor of the video file: less is better and larger (default: 16 for h264, 18 for h265, 24 for vp9 and av1)"))
     <*> threadsOption
     <*> settingOr 120 (option number (long "stale-after" <> metavar "SECONDS" <> help "Take over a frame if the process on another machine that was rendering it has shown no sign of life for this long (default: 120)"))
     <*> setting (strOption (long "status" <> metavar "DIR" <> action "directory" <> help "List the frames in a folder that are done, running, missing, outdated or damaged, instead of rendering; the exit code is 0 if all are done"))
@@ -125,66 +125,66 @@ shardChoice = eitherReader $ \text -> case (text, parseShard text) of
   (_, Just shard) -> Right (TheShard shard)
   _ -> Left ("'" ++ text ++ "' is not I/N with I from 1 to N, or slurm")
 
--- | The film as changed by the options.
-adjustFilm :: AnimateOptions scene -> Film -> Film
-adjustFilm options film =
-  film
-    { filmPath = maybe (filmPath film) orbitBy (animateOrbit options),
-      filmRate = rate,
-      filmFrames = case (animateDuration options, animateRate options) of
-        (Nothing, Nothing) -> filmFrames film
+-- | The animation as changed by the options.
+adjustAnimation :: AnimateOptions scene -> Animation -> Animation
+adjustAnimation options animation =
+  animation
+    { animationPath = maybe (animationPath animation) orbitBy (animateOrbit options),
+      animationRate = rate,
+      animationFrames = case (animateDuration options, animateRate options) of
+        (Nothing, Nothing) -> animationFrames animation
         -- Numbers that make no sense are reported by 'paceProblems'.
         _ | rate > 0 && duration > 0 -> round (min 1e9 (duration * rate))
-        _ -> filmFrames film,
-      filmShutter =
+        _ -> animationFrames animation,
+      animationShutter =
         Shutter
           (fromMaybe (shutterOpen shutter) (animateShutter options))
           (fromMaybe (shutterSamples shutter) (animateShutterSamples options))
     }
   where
-    rate = fromMaybe (filmRate film) (animateRate options)
-    duration = fromMaybe (filmDuration film) (animateDuration options)
-    shutter = filmShutter film
+    rate = fromMaybe (animationRate animation) (animateRate options)
+    duration = fromMaybe (animationDuration animation) (animateDuration options)
+    shutter = animationShutter animation
     orbitBy degrees = Just (Orbit (XYZ 0 1 0) (degrees / 360) Linear)
 
 -- | How a run ended. All messages have been written.
 data Ending
   = -- | All frames of this run are done, or other processes are rendering them.
     Complete
-  | -- | Some frames or the film file are missing.
+  | -- | Some frames or the video file are missing.
     Incomplete
   | -- | Invalid options.
     WrongArguments
   | -- | Invalid scene file.
-    WrongFilm
-  | -- | The frames or the film file cannot be written.
+    InvalidAnimation
+  | -- | The frames or the video file cannot be written.
     CannotStart
   deriving (Eq, Show)
 
--- | Render the film's frames, given a function that prints a message, the environment
+-- | Render the animation's frames, given a function that prints a message, the environment
 -- map if the scene has one, a text that is equal for equal scenes, maps and versions of
 -- the program, and a function that makes a frame's file. Also returns the run's result
 -- and its workers, if it got that far.
-runFilm ::
+runAnimation ::
   AnimateOptions scene ->
   (String -> IO ()) ->
   Maybe EnvironmentMap ->
   (Scene -> String) ->
   (Workers -> NonEmpty Scene -> Light.Exposed -> IO (Maybe Lazy.ByteString)) ->
-  Film ->
+  Animation ->
   IO (Ending, Maybe (Workers, Shot))
-runFilm options say sky text develop film = do
+runAnimation options say sky text develop animation = do
   environment <- getEnvironment
   coder <- findCoder
-  when (filmFrames film > 20000 && filmFrames film <= maximumFrames) $ say ("a film of " ++ show (filmFrames film) ++ " frames, which are checked first")
-  case plan options environment coder film of
+  when (animationFrames animation > 20000 && animationFrames animation <= maximumFrames) $ say ("an animation of " ++ show (animationFrames animation) ++ " frames, which are checked first")
+  case plan options environment coder animation of
     Left (ending, problems) -> (ending, Nothing) <$ mapM_ say problems
     Right (name, frames, video) -> do
       workers <- maybe defaultWorkers pure (workersFromCount =<< animateThreads options)
       teller <- newTeller say mode
       shot <-
         try . withWorkers workers $
-          shoot (Shooting film frames name (animatePatience options) workers video sky text (develop workers)) teller
+          shoot (Shooting animation frames name (animatePatience options) workers video sky text (develop workers)) teller
       clearLine mode
       case shot of
         Left refusal -> (CannotStart, Nothing) <$ say ("--output: the frames cannot be written: " ++ show (refusal :: IOException))
@@ -198,22 +198,22 @@ runFilm options say sky text develop film = do
     mode = progressMode reported
 
 -- | The plan of a run, given the environment's variables and the path of ffmpeg: the
--- pattern of the files, the frames, and how to make the film file. 'Left' has one line
+-- pattern of the files, the frames, and how to make the video file. 'Left' has one line
 -- for each mistake.
 plan ::
   AnimateOptions scene ->
   [(String, String)] ->
   Maybe FilePath ->
-  Film ->
+  Animation ->
   Either (Ending, [String]) (FrameName, [Int], Maybe (FilePath, VideoCoding, FilePath))
-plan options environment coder film = do
-  refuse WrongArguments (map renderProblem (usageProblems options film))
+plan options environment coder animation = do
+  refuse WrongArguments (map renderProblem (usageProblems options animation))
   shard <- either (Left . (,) WrongArguments . pure . ("--shard: " ++)) Right (shardOf (animateShard options))
   name <- either (Left . (,) WrongArguments . pure . (("--output: '" ++ output ++ "' is not ") ++)) Right (parseFrameName output)
-  refuse WrongFilm (map renderProblem (paceProblems options film))
-  refuse WrongFilm (map renderProblem (filmProblems film))
+  refuse InvalidAnimation (map renderProblem (paceProblems options animation))
+  refuse InvalidAnimation (map renderProblem (animationProblems animation))
   let frames = takeShard shard selected
-  refuse WrongFilm (take maximumFaults (frameFaults film frames))
+  refuse InvalidAnimation (take maximumFaults (frameFaults animation frames))
   video <- traverse coded [(coding, file) | Just file <- [animateVideo options], Just coding <- [videoCodingOf options]]
   Right (name, frames, listToMaybe video)
   where
@@ -224,8 +224,8 @@ plan options environment coder film = do
       Just (TheShard shard) -> Right shard
       Just SlurmShard -> slurmShard (`lookup` environment)
     selected = case animateFrames options of
-      Nothing -> [0 .. filmFrames film - 1]
-      Just (from, to) -> [from .. fromMaybe (filmFrames film - 1) to]
+      Nothing -> [0 .. animationFrames animation - 1]
+      Just (from, to) -> [from .. fromMaybe (animationFrames animation - 1) to]
     coded (coding, file) = case coder of
       Just program -> Right (program, coding, file)
       Nothing -> Left (CannotStart, ["--video: needs ffmpeg, which is not installed (on Debian and Ubuntu: apt-get install ffmpeg); nothing has been rendered"])
@@ -235,26 +235,26 @@ videoCodingOf options = do
   kind <- videoKind =<< animateVideo options
   Just (VideoCoding kind (animateCodec options) (animateCrf options))
 
--- | Values of options that would be as wrong in the scene file's section on the film.
-paceProblems :: AnimateOptions scene -> Film -> [Problem]
-paceProblems options film =
+-- | Values of options that would be as wrong in the scene file's section on the animation.
+paceProblems :: AnimateOptions scene -> Animation -> [Problem]
+paceProblems options animation =
   [ Problem "--fps" (show rate) "a number of frames per second from 0.001 to 1000"
     | Just rate <- [animateRate options],
       not (rate >= 0.001 && rate <= 1000)
   ]
-    ++ [ Problem "--duration" (show seconds) ("a duration of 1 to " ++ show maximumFrames ++ " frames at " ++ show (filmRate film) ++ " frames per second")
+    ++ [ Problem "--duration" (show seconds) ("a duration of 1 to " ++ show maximumFrames ++ " frames at " ++ show (animationRate animation) ++ " frames per second")
          | Just seconds <- [animateDuration options],
-           not (seconds > 0 && filmFrames film >= 1 && filmFrames film <= maximumFrames)
+           not (seconds > 0 && animationFrames animation >= 1 && animationFrames animation <= maximumFrames)
        ]
 
-usageProblems :: AnimateOptions scene -> Film -> [Problem]
-usageProblems options film =
+usageProblems :: AnimateOptions scene -> Animation -> [Problem]
+usageProblems options animation =
   [ Problem "--video" ("'" ++ file ++ "'") ("a file name that ends in one of " ++ intercalate ", " videoExtensions)
     | Just file <- [animateVideo options],
       Nothing <- [videoKind file]
   ]
     ++ concat
-      [ [Mistake "--video" "cannot be combined with --shard; make the film file in a run of all frames, which renders only those that are missing" | Just _ <- [animateShard options]]
+      [ [Mistake "--video" "cannot be combined with --shard; make the video file in a run of all frames, which renders only those that are missing" | Just _ <- [animateShard options]]
           ++ [Mistake "--video" ("needs frames in PNG files, not '" ++ pattern' ++ "'") | map toLower (takeExtension pattern') /= ".png"]
         | Just _ <- [animateVideo options]
       ]
@@ -264,14 +264,14 @@ usageProblems options film =
            (name, True) <- [("--codec", isJust (animateCodec options)), ("--crf", isJust (animateCrf options))]
        ]
     ++ [ Mistake "--shutter-samples" "has no effect; it applies only with --shutter above 0"
-         | shutterOpen (filmShutter film) == 0,
+         | shutterOpen (animationShutter animation) == 0,
            Just _ <- [animateShutterSamples options]
        ]
     ++ foldMap (checkNumber "--orbit" ((<= 3.6e6) . abs) "an angle from -3600000 to 3600000 (degrees)") (animateOrbit options)
     ++ checkThreads (animateThreads options)
-    ++ [ Problem "--frame-range" (show from ++ maybe "" (\end -> if end == from then "" else '-' : show end) to) ("a range of frames of this film, which are 0 to " ++ show (filmFrames film - 1))
+    ++ [ Problem "--frame-range" (show from ++ maybe "" (\end -> if end == from then "" else '-' : show end) to) ("a range of frames of this animation, which are 0 to " ++ show (animationFrames animation - 1))
          | Just (from, to) <- [animateFrames options],
-           maximum (from : toList to) >= filmFrames film
+           maximum (from : toList to) >= animationFrames animation
        ]
     ++ [ Problem "--stale-after" (show patience) "a number of seconds of at least 1"
          | isNaN patience || patience < 1
@@ -280,12 +280,12 @@ usageProblems options film =
     patience = animatePatience options
     pattern' = framePatternOf options
 
--- | The state of the films in a folder as text; 'Complete' if all their frames are done.
+-- | The state of the animations in a folder as text; 'Complete' if all their frames are done.
 -- On the left, why there is nothing to report.
 showStatus :: Double -> FilePath -> IO (Either String (Ending, String))
 showStatus patience folder = do
   exists <- doesDirectoryExist folder
-  statuses <- if exists then filmStatuses folder patience else pure []
+  statuses <- if exists then animationStatuses folder patience else pure []
   pure $ case statuses of
-    [] -> Left ("--status: " ++ (if exists then "there is no film in the folder " else "there is no folder ") ++ folder)
+    [] -> Left ("--status: " ++ (if exists then "there is no animation in the folder " else "there is no folder ") ++ folder)
     _ -> Right (if all isComplete statuses then Complete else Incomplete, unlines (map printable (concatMap statusLines statuses)))

@@ -5,7 +5,7 @@ module BlackHole.Cli.AnimateReport
     summaryLine,
     faultLines,
     isWhole,
-    filmStats,
+    animationStats,
   )
 where
 
@@ -27,7 +27,7 @@ import System.IO (hIsTerminalDevice, stderr)
 -- | A listener that reports progress on standard error: a bar at most ten times a
 -- second, a line every five seconds, or a JSON object at most five times a second and
 -- for the last frame. It passes remarks on to the first argument in any mode.
-newTeller :: (String -> IO ()) -> ProgressMode -> IO (Told -> IO ())
+newTeller :: (String -> IO ()) -> ProgressMode -> IO (Report -> IO ())
 newTeller say mode = do
   terminal <- hIsTerminalDevice stderr
   start <- getMonotonicTime
@@ -84,14 +84,14 @@ summaryLine shot =
     tally = shotTally shot
 
 -- | One line each for the frames that other processes are rendering, for every reason
--- for failures, and for a missing film file.
+-- for failures, and for a missing video file.
 faultLines :: Shot -> [String]
 faultLines shot =
   [ numbered (map fst elsewhere) ++ " being rendered by another process" ++ whose [holder | (_, Just holder) <- elsewhere]
     | not (null elsewhere)
   ]
     ++ [numbered (reverse frames) ++ " failed: " ++ reason | (reason, frames) <- Map.toList failed]
-    ++ ["no film file: " ++ reason ++ "; the frames are kept, and the next run makes the film file from them" | Just reason <- [shotVideoFault shot]]
+    ++ ["no video file: " ++ reason ++ "; the frames are kept, and the next run makes the video file from them" | Just reason <- [shotVideoFault shot]]
   where
     elsewhere = [(n, holder) | (n, Elsewhere holder) <- shotOutcomes shot]
     failed = Map.fromListWith (++) [(reason, [n]) | (n, Failed reason) <- shotOutcomes shot]
@@ -100,14 +100,14 @@ faultLines shot =
       holder : others -> " (" ++ holderName holder ++ (if null others then "" else ", ...") ++ ")"
       [] -> ""
 
--- | Whether no frame has failed and the film file, if any, is complete.
+-- | Whether no frame has failed and the video file, if any, is complete.
 isWhole :: Shot -> Bool
 isWhole shot = null [() | (_, Failed _) <- shotOutcomes shot] && null (shotVideoFault shot)
 
 -- | The statistics of a run for @--stats@, given the program's version and the peak of
 -- its memory in bytes.
-filmStats :: String -> Maybe Integer -> Workers -> Shot -> Json
-filmStats version memory workers shot =
+animationStats :: String -> Maybe Integer -> Workers -> Shot -> Json
+animationStats version memory workers shot =
   Object
     [ ("version", Text version),
       ("frames", Whole (tallyFrames tally)),

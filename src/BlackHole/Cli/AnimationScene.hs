@@ -1,7 +1,7 @@
--- | The film that a scene file and options make together.
+-- | The animation that a scene file and options make together.
 module BlackHole.Cli.AnimationScene
-  ( loadFilm,
-    resolveFilm,
+  ( loadAnimation,
+    resolveAnimation,
     frameFaults,
     maximumFaults,
   )
@@ -20,14 +20,14 @@ import Data.Foldable (fold)
 import Data.List (sortOn)
 import qualified Data.Map.Strict as Map
 
--- | The film that the options ask for, given the bytes of the scene file, or one line for
+-- | The animation that the options ask for, given the bytes of the scene file, or one line for
 -- each mistake in its scene and its section @animation@. 'Nothing' if there is no such
 -- section. Does not validate the scenes of the frames; see 'frameFaults'.
-resolveFilm :: SceneOptions -> Maybe Bytes.ByteString -> Either [String] (Maybe Film)
-resolveFilm options bytes = case (resolveScene options bytes, section) of
+resolveAnimation :: SceneOptions -> Maybe Bytes.ByteString -> Either [String] (Maybe Animation)
+resolveAnimation options bytes = case (resolveScene options bytes, section) of
   (Left problems, _) -> Left (problems ++ sectionFaults)
   (_, Just (_, _ : _)) -> Left sectionFaults
-  (Right scene, Just (film, [])) -> Right (Just (film scene))
+  (Right scene, Just (animation, [])) -> Right (Just (animation scene))
   (Right _, Nothing) -> Right Nothing
   where
     -- A file that is not YAML is reported with the scene.
@@ -37,23 +37,23 @@ resolveFilm options bytes = case (resolveScene options bytes, section) of
         | (line, problem) <- sortOn fst (maybe [] snd section)
       ]
 
--- | The film that the options ask for, like 'resolveFilm', or without a section
+-- | The animation that the options ask for, like 'resolveAnimation', or without a section
 -- @animation@ its single scene. Reads the file, and warns of former names on standard
 -- error.
-loadFilm :: SceneOptions -> IO (Either [String] (Either Scene Film))
-loadFilm options = do
+loadAnimation :: SceneOptions -> IO (Either [String] (Either Scene Animation))
+loadAnimation options = do
   bytes <- traverse readSceneFile (sceneFile options)
   mapM_ (mapM_ (warnFormerNames options)) bytes
   pure $ case sequence bytes of
     Left line -> Left [line]
     Right contents -> do
-      film <- resolveFilm options contents
-      maybe (Left <$> resolveScene options contents) (Right . Right) film
+      animation <- resolveAnimation options contents
+      maybe (Left <$> resolveScene options contents) (Right . Right) animation
 
 -- | One line for each mistake in the scenes of some frames (in increasing order), with
 -- the numbers of all frames that have it.
-frameFaults :: Film -> [Int] -> [String]
-frameFaults film frames =
+frameFaults :: Animation -> [Int] -> [String]
+frameFaults animation frames =
   [ (if length wrong == 1 then "frame " else "frames ") ++ frameRanges (reverse wrong) ++ ": " ++ text
     | (text, wrong) <- sortOn (lastOf . snd) (Map.toList faults)
   ]
@@ -63,7 +63,7 @@ frameFaults film frames =
         (++)
         [ (renderProblem problem, [n])
           | n <- frames,
-            Left problems <- [frameScenes film n],
+            Left problems <- [frameScenes animation n],
             problem <- problems
         ]
     lastOf = foldl (const Just) Nothing

@@ -55,8 +55,8 @@ replyJson reply = case reply of
   CommandIs (NeedsFile paths) -> kind "command" [("command", Null), ("settings", texts paths)]
   Saved name -> kind "saved" [("file", Text name)]
   Exists name -> kind "exists" [("file", Text name)]
-  FilmIs (Left problems) -> kind "film" [("problems", texts problems), ("fixed", List [])]
-  FilmIs (Right fixed) -> kind "film" [("problems", List []), ("fixed", texts fixed)]
+  AnimationIs (Left problems) -> kind "animation" [("problems", texts problems), ("fixed", List [])]
+  AnimationIs (Right fixed) -> kind "animation" [("problems", List []), ("fixed", texts fixed)]
   JobIs job -> kind "job" $ case job of
     NoJob -> [("state", Text "none")]
     JobRuns name done -> [("state", Text "runs"), ("file", Text name), ("done", Number done)]
@@ -74,7 +74,7 @@ replyJson reply = case reply of
     diskShape disk = Object [("inner", Number (diskInnerRadius disk)), ("outer", Number (diskOuterRadius disk)), ("thickness", List [Number (diskThicknessAt disk r) | r <- [diskInnerRadius disk, diskOuterRadius disk]])]
 
 -- | What does not change: every setting with its topic, kind, range, slider and
--- documentation, the presets, and the choices of the film and of file formats.
+-- documentation, the presets, and the choices of the animation and of file formats.
 tableJson :: String -> Json
 tableJson software =
   Object

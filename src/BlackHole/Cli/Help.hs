@@ -88,7 +88,7 @@ topicNames = map (map toLower . topicName) [minBound ..] ++ map fst guides
 guides :: [(String, [String])]
 guides =
   [ ("hole", "The hole and its spin." : "" : concatMap (\text -> wrapped 0 text ++ [""]) holeHelp ++ ["Example: blackhole render --spin 0.9 --inclination 85 -o kerr.png"]),
-    ("animation", "Films: keyframes, camera paths and motion blur." : concatMap partLines animationHelp ++ ["", "Example: blackhole animate --preset luminet --orbit 360 --duration 4 -o frames/%05d.png"]),
+    ("animation", "Animations: keyframes, camera paths and motion blur." : concatMap partLines animationHelp ++ ["", "Example: blackhole animate --preset luminet --orbit 360 --duration 4 -o frames/%05d.png"]),
     ("exit-status", "Exit codes, the same for all commands." : "" : concatMap (uncurry (row 12)) exitTexts ++ ["", "Example: blackhole selftest --quiet"])
   ]
   where
@@ -311,7 +311,7 @@ exitTexts =
     ("2", "Invalid command line."),
     ("3", "Invalid input: a value of the scene out of its range, a file that cannot be read, or a picture that does not fit into memory."),
     ("4", "The output cannot be written."),
-    ("5", "Frames of a film or its film file are missing."),
+    ("5", "Frames of an animation or its video file are missing."),
     ("129, 130, 143, 152", "Stopped by a signal: SIGHUP, Ctrl-C (SIGINT), SIGTERM, or the limit on processor time.")
   ]
 

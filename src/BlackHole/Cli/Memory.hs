@@ -34,7 +34,7 @@ data Product
 -- | How a picture is made.
 data Making = Making
   { makingProduct :: !Product,
-    -- | Whether its light is the mean of several moments.
+    -- | Whether its light is the mean of several scenes.
     makingBlurred :: !Bool,
     -- | Whether its rows are kept for the case of a signal.
     makingKept :: !Bool

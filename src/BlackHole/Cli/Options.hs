@@ -38,7 +38,7 @@ data Command
     Render RenderOptions
   | -- | Join the tiles of a picture.
     Join JoinOptions
-  | -- | Render the frames of a film.
+  | -- | Render the frames of an animation.
     Animate (AnimateOptions SceneOptions)
   | -- | Show a live view in the browser.
     Explore ExploreOptions
@@ -170,13 +170,13 @@ described =
     describe
       "explore"
       "Fly around the hole in a live view in the browser."
-      "Serves a page on this machine alone and prints its address, which contains a secret token. The picture there is traced by the code of render: drag it to orbit, turn the wheel to come nearer, change any setting, look at single pixels, set keyframes, and take the result home as a command line, a scene file, a film or a picture. Files go to the folder in which the program was started."
+      "Serves a page on this machine alone and prints its address, which contains a secret token. The picture there is traced by the code of render: drag it to orbit, turn the wheel to come nearer, change any setting, look at single pixels, set keyframes, and take the result home as a command line, a scene file, an animation or a picture. Files go to the folder in which the program was started."
       ["blackhole explore", "blackhole explore --preset kerr", "blackhole explore mine.yaml --port 8000 --no-open"]
       (Task . Explore <$> exploreOptions),
     describe
       "animate"
-      "Render the frames of a film."
-      "The film is a scene file with a section animation (see: blackhole help animation), or an orbit around the hole in any scene (--orbit). Renders only frames that are missing, outdated or damaged, so an interrupted film continues where it stopped. Several processes can share the work."
+      "Render the frames of an animation."
+      "The animation is a scene file with a section animation (see: blackhole help animation), or an orbit around the hole in any scene (--orbit). Renders only frames that are missing, outdated or damaged, so an interrupted animation continues where it stopped. Several processes can share the work."
       ["blackhole animate --preset luminet --orbit 360 --duration 4 -o frames/%05d.png", "blackhole animate scenes/orbit.yaml -o frames/%05d.png --video orbit.mp4"]
       (Task . Animate <$> animateOptions sceneOptions),
     describe

@@ -8,12 +8,12 @@ module BlackHole.Cli.Run
   )
 where
 
-import BlackHole.Animation.Animation (filmScene, filmShutter, shutterOpen, stillFilm)
+import BlackHole.Animation.Animation (animationScene, animationShutter, shutterOpen, stillAnimation)
 import BlackHole.Animation.Exposure
 import BlackHole.Animation.FrameName (frameFile, frameNumber, parseFrameName)
 import BlackHole.Cli.Animate
-import BlackHole.Cli.AnimateReport (filmStats)
-import BlackHole.Cli.AnimationScene (loadFilm)
+import BlackHole.Cli.AnimateReport (animationStats)
+import BlackHole.Cli.AnimationScene (loadAnimation)
 import BlackHole.Cli.Check (checkThreads)
 import BlackHole.Cli.Console
 import BlackHole.Cli.Explain (explanationLines, pixelProblems)
@@ -38,12 +38,13 @@ import BlackHole.Cli.SkyFile
 import BlackHole.Cli.Stats
 import BlackHole.Image.AtomicFile
 import BlackHole.Image.Coding
-import BlackHole.Image.File (fileLabel)
+import BlackHole.Image.Destination (toHandle)
+import BlackHole.Image.File (fileMetadata)
 import BlackHole.Image.Metadata
 import BlackHole.Image.TileFile
 import BlackHole.Image.Write
-import BlackHole.Render.Bloom
 import BlackHole.Render.Film
+import BlackHole.Render.Optics
 import BlackHole.Render.PixelArray (backendName, fromPixelVector, pixelArrayShape, toPixelVector)
 import BlackHole.Render.PixelShape (pixelShape, shapeHeight)
 import BlackHole.Render.Shard (shardRows)
@@ -62,7 +63,7 @@ import BlackHole.Trace.Pixel (tracerWithSky)
 import BlackHole.Trace.Sky (neededPicture)
 import Control.Applicative ((<|>))
 import Control.Exception (IOException, SomeAsyncException (..), SomeException, catch, displayException, fromException, throwIO, try)
-import Control.Monad (forM_, unless, when)
+import Control.Monad (forM_, unless, when, (>=>))
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Lazy as Lazy
@@ -96,7 +97,7 @@ data ExitStatus
     BadInput
   | -- | The output cannot be written.
     CannotWrite
-  | -- | Frames of a film or its film file are missing.
+  | -- | Frames of an animation or its video file are missing.
     Unfinished
   deriving (Eq, Show, Enum, Bounded)
 
@@ -288,7 +289,7 @@ render options
       let rows = pictureHeight (scenePicture scene)
       exposing how (skyFileImage <$> sky) workers scenes' (0, rows) output $ \exposed done seconds ->
         finishing (skyFileImage <$> sky) workers scene (0, done) (exposedLight exposed) seconds $
-          maybe (complain CannotWrite (noRoom output)) (storeBy output) (finishBands workers programName format coding scenes' (pure . filmRows (exposedLight exposed)) (pure . countsRow scene exposed))
+          maybe (complain CannotWrite (noRoom output)) (\write -> storeBy output (toHandle >=> write (pure . filmRows (exposedLight exposed)))) (pictureEncoder workers programName format coding scenes' (pure . countsRow scene exposed))
     tileTo sky workers part scene = do
       let band = shardRows part (pictureHeight (scenePicture scene))
       exposing how {runKeepPartial = False} (skyFileImage <$> sky) workers (scene :| []) band output $ \exposed _ seconds ->
@@ -326,7 +327,7 @@ exposing how sky workers scenes'@(scene :| others) (first, rows) output finish
     start <- getMonotonicTime
     let bands = [(from, min bandRows (rows - from)) | from <- [0, bandRows .. rows - 1]]
     outcome <- try . timed . tracking $ \report -> forM_ bands $ \(from, count) -> do
-      band <- exposeMotionBlurRows sky workers (report . (from +) . rowsOf count) scenes' (first + from, count)
+      band <- exposeMotionBlur sky workers (report . (from +) . rowsOf count) scenes' (first + from, count)
       modifyIORef' kept (maybe id (:) band)
     done <- reverse <$> readIORef kept
     let light = map exposedLight done
@@ -348,7 +349,7 @@ exposing how sky workers scenes'@(scene :| others) (first, rows) output finish
           throwIO (stop :: Stopped)
         | otherwise -> throwIO stop
   | otherwise = do
-    (exposed, seconds) <- timed (tracking (\report -> exposeMotionBlurRows sky workers (report . rowsOf rows) scenes' (first, rows)))
+    (exposed, seconds) <- timed (tracking (\report -> exposeMotionBlur sky workers (report . rowsOf rows) scenes' (first, rows)))
     maybe untraceable (\light -> finish light rows seconds) exposed
   where
     width = pictureWidth (scenePicture scene)
@@ -423,8 +424,8 @@ join options = case (formatOf output, joinCoding options) of
           let Picture width height = scenePicture scene
           status <- withProgress (progressMode reported) height (width * sceneSamples scene) $ \report ->
             let rowsOf (first, count) = report first >> readPictureRows tiles (first, count)
-             in maybe (complain CannotWrite (noRoom output)) (storeBy output) $
-                  finishBands workers programName format coding (scene :| []) rowsOf (countsOf scene tiles)
+             in maybe (complain CannotWrite (noRoom output)) (\write -> storeBy output (toHandle >=> write rowsOf)) $
+                  pictureEncoder workers programName format coding (scene :| []) (countsOf scene tiles)
           if status == Done
             then do
               pictureSucceeded reported start output (width, height)
@@ -459,45 +460,45 @@ animate options = case (animateStatus options, formatOf pattern') of
   (_, Just format)
     | problems@(_ : _) <- codingProblem format coding -> complainAll UsageError problems
     | otherwise -> do
-      loaded <- loadFilm (animateScene options)
+      loaded <- loadAnimation (animateScene options)
       case (loaded, animateOrbit options) of
         (Left problems, _) -> BadInput <$ mapM_ say problems
         (Right (Left _), Nothing) -> complain BadInput "animate needs a scene file with a section animation, or --orbit DEGREES (see: blackhole help animation)"
-        (Right (Left scene), Just _) -> checked format (adjustFilm options (stillFilm scene))
-        (Right (Right found), _) -> checked format (adjustFilm options found)
+        (Right (Left scene), Just _) -> checked format (adjustAnimation options (stillAnimation scene))
+        (Right (Right found), _) -> checked format (adjustAnimation options found)
   where
     pattern' = framePatternOf options
     reported = animateReporting options
-    checked format film = do
-      clashes <- filmClashes film
-      lacking <- memoryProblem (Making (Frame format) (shutterOpen (filmShutter film) > 0) False) (filmScene film) (pictureHeight (scenePicture (filmScene film)))
+    checked format animation = do
+      clashes <- animationClashes animation
+      lacking <- memoryProblem (Making (Frame format) (shutterOpen (animationShutter animation) > 0) False) (animationScene animation) (pictureHeight (scenePicture (animationScene animation)))
       case (clashes, lacking) of
         (_ : _, _) -> UsageError <$ mapM_ say clashes
         (_, Just line) -> complain BadInput line
-        _ -> shootFilm format film
+        _ -> shootAnimation format animation
     -- Frames that exist are compared, the others cannot be a file that is read.
-    filmClashes film = case parseFrameName pattern' of
+    animationClashes animation = case parseFrameName pattern' of
       Left _ -> pure []
       Right name -> do
         let folder = takeDirectory (frameFile name 0)
         names <- either (const [] :: IOException -> [FilePath]) id <$> try (listDirectory folder)
         overwritten
-          (sceneInputs (animateScene options) (filmScene film))
+          (sceneInputs (animateScene options) (animationScene animation))
           ([("--video", file) | Just file <- [animateVideo options]] ++ [("--stats", file) | Just file <- [reportStats reported]] ++ [("--output", folder </> file) | file <- names, Just _ <- [frameNumber name file]])
     coding = animateCoding options
     describe sky = printScene ((programName ++ ", " ++ show coding) : skyLines sky)
-    develop format workers = finishFilm workers programName format coding
-    shootFilm format film = underSky (filmScene film) $ \sky -> do
-      (ending, shot) <- runFilm options say (skyFileImage <$> sky) (describe sky) (develop format) (adjustFilm options film)
+    develop format workers = pictureBytes workers programName format coding
+    shootAnimation format animation = underSky (animationScene animation) $ \sky -> do
+      (ending, shot) <- runAnimation options say (skyFileImage <$> sky) (describe sky) (develop format) (adjustAnimation options animation)
       memory <- peakMemory
-      written <- maybe (pure Done) (\(workers, done) -> storeStats reported (renderedJson (filmStats versionLine memory workers done))) shot
+      written <- maybe (pure Done) (\(workers, done) -> storeStats reported (renderedJson (animationStats versionLine memory workers done))) shot
       pure (if ending == Complete then written else endStatus ending)
     renderedJson = Builder.toLazyByteString . Builder.stringUtf8 . renderJson
     endStatus ending = case ending of
       Complete -> Done
       Incomplete -> Unfinished
       WrongArguments -> UsageError
-      WrongFilm -> BadInput
+      InvalidAnimation -> BadInput
       CannotStart -> CannotWrite
 
 -- | The options of @blackhole animate@ that have no effect with @--status@: all except
@@ -538,31 +539,31 @@ sceneInputs options scene = [("the scene", file) | Just file <- [sceneFile optio
 underSky :: Scene -> (Maybe SkyFile -> IO ExitStatus) -> IO ExitStatus
 underSky scene action = loadSky scene >>= either (complain BadInput) action
 
--- | The scene that the options ask for, or the scenes of the moments of a picture with
+-- | The scene that the options ask for, or all scenes of a picture with
 -- motion blur; and the encoding of the file: that of the options, or else that of the
 -- picture that the scene comes from.
 renderedScene :: RenderOptions -> IO (Either [String] (NonEmpty Scene, Coding))
 renderedScene options = case renderFrom options of
   Nothing -> fmap (coded asked . (:| [])) <$> loadScene (renderScene options)
   Just path -> do
-    -- The label stands before the pixels.
+    -- The metadata stands before the pixels.
     outcome <- try (withBinaryFile path ReadMode (`Bytes.hGet` 0x400000))
     case outcome of
       Left failure -> pure (Left [path ++ ": cannot be read: " ++ ioeGetErrorString (failure :: IOException)])
-      Right bytes -> case fileLabel bytes of
+      Right bytes -> case fileMetadata bytes of
         Nothing -> pure (Left [path ++ ": this picture has no scene; only pictures that blackhole wrote do"])
-        Just label -> do
-          when (labelSoftware label /= programName) $
-            say ("note: " ++ path ++ " was made by " ++ labelSoftware label ++ "; " ++ programName ++ " may render it differently")
-          pure (fromLabel path label)
+        Just metadata -> do
+          when (metadataSoftware metadata /= programName) $
+            say ("note: " ++ path ++ " was made by " ++ metadataSoftware metadata ++ "; " ++ programName ++ " may render it differently")
+          pure (fromMetadata path metadata)
   where
     asked = renderCoding options
     coded coding scene = (scene, coding)
-    fromLabel path label = do
-      scenes' <- resolveLabel (renderScene options) path (labelScene label)
+    fromMetadata path metadata = do
+      scenes' <- resolveMetadata (renderScene options) path (metadataScene metadata)
       -- Bits and quality are specific to the format.
       let before
-            | formatOf path == formatOf (renderTarget options) = labelCoding label
+            | formatOf path == formatOf (renderTarget options) = metadataCoding metadata
             | otherwise = defaultCoding
       pure (coded (Coding (codingBits asked <|> codingBits before) (codingQuality asked <|> codingQuality before)) scenes')
 
@@ -575,13 +576,14 @@ preview sky scene workers = do
   let (columns, textLines) = maybe (80, 24) (\(Terminal.Window h w) -> (w, h)) window
       Picture width height = scenePicture scene
       (across, down) = previewSize columns textLines (width, height)
-  exposed <- exposeFilmWithSky sky workers (const (pure ())) scene {scenePicture = Picture across down}
+  let small = scene {scenePicture = Picture across down}
+  exposed <- exposeFilm sky workers (const (pure ())) small (0, down)
   case exposed of
     Nothing -> untraceable
-    Just film -> do
+    Just (Exposed film _) -> do
       _ <- warnOfFaults workers 0 film
-      bloomed <- bloomFilm workers (sceneBloom scene) film
-      codes <- developFilm workers (sceneExposure scene) (sceneToneMap scene) (sceneDither scene) bloomed
+      recorded <- opticsFilm workers small film
+      codes <- developFilm workers (sceneDevelopment small) recorded
       printed Done (previewText (palette isTerminal environment) codes)
 
 untraceable :: IO ExitStatus

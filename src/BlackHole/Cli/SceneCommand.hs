@@ -6,7 +6,7 @@ module BlackHole.Cli.SceneCommand
   )
 where
 
-import BlackHole.Animation.Animation (filmFrames)
+import BlackHole.Animation.Animation (animationFrames)
 import BlackHole.Cli.AnimationScene
 import BlackHole.Cli.Json (renderJson)
 import BlackHole.Cli.Read (filesEnding)
@@ -79,9 +79,9 @@ sceneText task = case task of
     checked file bytes = do
       warnFormerNames options bytes
       picture <- either (const (pure Nothing)) skyFault (resolveScene options (Just bytes))
-      pure $ case (resolveFilm options (Just bytes), picture) of
-        (Right (Just ready), _) | faults@(_ : _) <- frameFaults ready [0 .. filmFrames ready - 1] -> Left (take maximumFaults faults)
+      pure $ case (resolveAnimation options (Just bytes), picture) of
+        (Right (Just ready), _) | faults@(_ : _) <- frameFaults ready [0 .. animationFrames ready - 1] -> Left (take maximumFaults faults)
         (Right _, Just line) -> Left [line]
-        (film, _) -> (file ++ ": no problems\n") <$ film
+        (animation, _) -> (file ++ ": no problems\n") <$ animation
       where
         options = SceneOptions (Just file) Nothing []

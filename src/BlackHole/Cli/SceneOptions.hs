@@ -4,7 +4,7 @@ module BlackHole.Cli.SceneOptions
   ( SceneOptions (..),
     sceneOptions,
     resolveScene,
-    resolveLabel,
+    resolveMetadata,
     loadScene,
     readSceneFile,
     warnFormerNames,
@@ -13,7 +13,7 @@ where
 
 import BlackHole.Cli.Console (say)
 import BlackHole.Cli.Read
-import BlackHole.Image.MotionBlur (splitMoments)
+import BlackHole.Image.MotionBlur (splitBlurredScenes)
 import BlackHole.Scene.Field.Field
 import BlackHole.Scene.Field.Kind
 import BlackHole.Scene.Field.Table
@@ -83,11 +83,11 @@ sceneRequest (SceneOptions file preset settings) bytes =
   Request preset ((,) <$> file <*> bytes) (maybe "." takeDirectory file) settings
 
 -- | The scenes whose mean light a picture is, given the picture's name and the
--- scenes' text in its label ('splitMoments'). Files that they name are relative to
+-- scenes' text in its metadata ('splitBlurredScenes'). Files that they name are relative to
 -- the working directory.
-resolveLabel :: SceneOptions -> FilePath -> Bytes.ByteString -> Either [String] (NonEmpty Scene)
-resolveLabel (SceneOptions _ preset settings) picture bytes = do
-  texts <- either (Left . pure . ((picture ++ ": ") ++)) Right (splitMoments bytes)
+resolveMetadata :: SceneOptions -> FilePath -> Bytes.ByteString -> Either [String] (NonEmpty Scene)
+resolveMetadata (SceneOptions _ preset settings) picture bytes = do
+  texts <- either (Left . pure . ((picture ++ ": ") ++)) Right (splitBlurredScenes bytes)
   scenes@(first :| others) <- traverse (\text -> resolveRequest (Request preset (Just (picture, text)) "." settings)) texts
   let alike scene = scenePicture scene == scenePicture first && neededPicture scene == neededPicture first
   if all alike others

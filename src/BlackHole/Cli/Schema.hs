@@ -49,13 +49,13 @@ fieldSchema f = valueSchema (fieldDoc f) (fieldKind f)
 animationSchema :: Json
 animationSchema =
   Object
-    [ ("description", Text "Film for blackhole animate: what changes from frame to frame"),
+    [ ("description", Text "Animation for blackhole animate: what changes from frame to frame"),
       ("type", Text "object"),
       ("additionalProperties", Truth False),
-      ("properties", Object (map entry filmEntries ++ [("camera-path", pathSchema), ("keyframes", keyframesSchema)]))
+      ("properties", Object (map entry animationKeys ++ [("camera-path", pathSchema), ("keyframes", keyframesSchema)]))
     ]
   where
-    entry e = (entryName e, valueSchema (entryDoc e) (entryKind e))
+    entry e = (keyName e, valueSchema (keyDoc e) (keyKind e))
     pathSchema =
       Object
         [ ("description", Text "Movement of the camera, starting from where the scene and the keyframes put it"),
@@ -67,7 +67,7 @@ animationSchema =
           ("type", Text "object"),
           ("additionalProperties", Truth False),
           ("required", List [Text "kind"]),
-          ("properties", Object (("kind", Object [("const", Text kind)]) : [entry e | e <- pathEntries, entryName e `elem` names]))
+          ("properties", Object (("kind", Object [("const", Text kind)]) : [entry e | e <- cameraPathKeys, keyName e `elem` names]))
         ]
     keyframesSchema =
       Object
@@ -81,7 +81,7 @@ animationSchema =
         [ ("description", Text (fieldDoc f)),
           ("type", Text "object"),
           ("additionalProperties", Truth False),
-          ("properties", Object (map entry trackEntries)),
+          ("properties", Object (map entry keyframeKeys)),
           ("patternProperties", Object [("^[-+]?[0-9.]+([eE][-+]?[0-9]+)?$", fieldSchema f)])
         ]
 

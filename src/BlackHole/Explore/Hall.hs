@@ -13,6 +13,7 @@ import BlackHole.Explore.Picture
 import BlackHole.Explore.Reply
 import BlackHole.Image.AtomicFile
 import BlackHole.Image.Coding
+import BlackHole.Image.Destination
 import BlackHole.Image.Write
 import BlackHole.Render.Film
 import BlackHole.Scene.Camera (Picture (..))
@@ -22,7 +23,7 @@ import Control.Concurrent.Async
 import Control.Concurrent.MVar
 import Control.Concurrent.STM
 import Control.Exception (SomeException, displayException, fromException, try)
-import Control.Monad (when)
+import Control.Monad (when, (>=>))
 import qualified Data.ByteString.Lazy as Lazy
 import Data.List.NonEmpty (NonEmpty (..))
 import qualified Data.Map.Strict as Map
@@ -104,12 +105,12 @@ startJob hall scene format name = do
         (Just problem, _) -> failed problem
         (_, Left problem) -> failed problem
         (Nothing, Right picture) -> do
-          exposed <- exposeCounted picture (studioWorkers studio) (\done -> atomically (writeTVar state (JobRuns name (fromIntegral done / fromIntegral rows)))) scene (0, rows)
+          exposed <- exposeFilm picture (studioWorkers studio) (\done -> atomically (writeTVar state (JobRuns name (fromIntegral done / fromIntegral rows)))) scene (0, rows)
           case exposed of
             Nothing -> failed "the scene cannot be traced"
-            Just light -> case finishBands (studioWorkers studio) (studioSoftware studio) format defaultCoding (scene :| []) (pure . filmRows (exposedLight light)) (pure . countsRow scene light) of
+            Just light -> case pictureEncoder (studioWorkers studio) (studioSoftware studio) format defaultCoding (scene :| []) (pure . countsRow scene light) of
               Nothing -> failed "the picture is too large for this format"
               Just write -> do
-                written <- writeAtomically name write
+                written <- writeAtomically name (toHandle >=> write (pure . filmRows (exposedLight light)))
                 end <- getMonotonicTime
                 pure (either (JobFailed name . renderWriteProblem) (const (JobDone name (end - start))) written)

@@ -53,9 +53,9 @@ data Message
     AskCommand
   | SaveScene !Overwriting !FilePath
   | -- | Check the keyframes.
-    DefineFilm !Timeline
-  | SaveFilm !Overwriting !FilePath
-  | -- | Show the film at a time in seconds.
+    DefineAnimation !Timeline
+  | SaveAnimation !Overwriting !FilePath
+  | -- | Show the animation at a time in seconds.
     Scrub !Input !Double
   | -- | Render the present scene at its full size.
     RenderFile !Overwriting !FilePath
@@ -93,8 +93,8 @@ messageOf first rest = case first of
   ["inspect", x, y] -> Inspect <$> within 0 1 x <*> within 0 1 y <* none
   ["command"] -> AskCommand <$ none
   "save-scene" : how : name -> SaveScene <$> overwriting how <*> fileName name <* none
-  ["film", duration, rate, way] -> DefineFilm <$> (Timeline <$> within 0.01 3600 duration <*> within 0.1 240 rate <*> interpolation way <*> keys rest)
-  "save-film" : how : name -> SaveFilm <$> overwriting how <*> fileName name <* none
+  ["animation", duration, rate, way] -> DefineAnimation <$> (Timeline <$> within 0.01 3600 duration <*> within 0.1 240 rate <*> interpolation way <*> keys rest)
+  "save-animation" : how : name -> SaveAnimation <$> overwriting how <*> fileName name <* none
   ["scrub", n, seconds] -> Scrub <$> count n <*> within 0 3600 seconds <* none
   "render" : how : name -> RenderFile <$> overwriting how <*> fileName name <* none
   ["cancel"] -> CancelRender <$ none

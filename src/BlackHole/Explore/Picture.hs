@@ -18,7 +18,7 @@ import BlackHole.Image.Metadata
 import BlackHole.Image.Write
 import BlackHole.Light.Display (ToneMap (..))
 import BlackHole.Light.Dither (Dither (..))
-import BlackHole.Render.Bloom
+import BlackHole.Render.Optics
 import BlackHole.Render.Film
 import BlackHole.Render.PixelArray
 import BlackHole.Render.PixelShape
@@ -46,9 +46,9 @@ data Studio = Studio
   }
 
 -- | A scene with one ray per pixel, at a size. The table of light paths shows the paths
--- of the other integrators, and far sooner.
+-- of the other integrators, and far sooner. One ray through a wide lens would show noise.
 movingScene :: Picture -> Scene -> Scene
-movingScene size scene = scene {scenePicture = size, sceneSamples = 1, sceneIntegrator = Tabulated}
+movingScene size scene = scene {scenePicture = size, sceneSamples = 1, sceneIntegrator = Tabulated, sceneAperture = 0}
 
 -- | The film of a scene, with the tracer that made it. Takes over the tables of an
 -- earlier tracer where they are equal ('tracerAfter').
@@ -60,14 +60,24 @@ drafted studio sky before scene = case maybe (tracerWithSky sky scene) (\earlier
 -- | A scene without what only the development of its film depends on. The exposure is
 -- kept: it decides which pixels get more rays.
 undeveloped :: Scene -> Scene
-undeveloped scene = scene {sceneToneMap = ToneNone, sceneDither = NoDither, sceneBloom = 0}
+undeveloped scene =
+  scene
+    { sceneToneMap = ToneNone,
+      sceneDither = NoDither,
+      sceneBeam = 0,
+      sceneBloom = 0,
+      sceneSpikes = 0,
+      sceneSpikeLight = 0,
+      sceneGrain = 0,
+      sceneScaleBar = 0
+    }
 
 -- | A film developed for a scene as a JPEG of a quality.
 quickly :: Studio -> Int -> Scene -> Film -> IO Lazy.ByteString
 quickly studio quality scene film = do
-  bloomed <- bloomFilm workers (sceneBloom scene) film
-  codes <- developFilm workers (sceneExposure scene) (sceneToneMap scene) (sceneDither scene) bloomed
-  pure (encodeJpeg quality (Label (studioSoftware studio) defaultCoding Bytes.empty) codes)
+  recorded <- opticsFilm workers scene film
+  codes <- developFilm workers (sceneDevelopment scene) recorded
+  pure (encodeJpeg quality (Metadata (studioSoftware studio) defaultCoding Bytes.empty) codes)
   where
     -- Workers that wait for each other take longer than the work on a small picture,
     -- above all where other programs want the processors too.
@@ -111,7 +121,7 @@ completed studio sky scene earlier progress = case (tracerWithSky sky scene, pix
 
 -- | The PNG file of a film: the bytes that @render@ writes.
 finishedPng :: Studio -> Scene -> Exposed -> IO (Maybe Lazy.ByteString)
-finishedPng studio scene = finishFilm (studioWorkers studio) (studioSoftware studio) Png defaultCoding (scene :| [])
+finishedPng studio scene = pictureBytes (studioWorkers studio) (studioSoftware studio) Png defaultCoding (scene :| [])
 
 -- | A small JPEG of a scene, 240 pixels wide, with one worker.
 thumbnail :: Studio -> Scene -> IO (Maybe Lazy.ByteString)

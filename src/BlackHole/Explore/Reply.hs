@@ -31,8 +31,8 @@ data Reply
     Saved !FilePath
   | -- | There is a file of that name already.
     Exists !FilePath
-  | -- | What is wrong with the film, or the settings that cannot change in it.
-    FilmIs !(Either [String] [String])
+  | -- | What is wrong with the animation, or the settings that cannot change in it.
+    AnimationIs !(Either [String] [String])
   | -- | The state of the picture that is being rendered to a file.
     JobIs !JobState
 

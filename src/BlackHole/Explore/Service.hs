@@ -55,6 +55,6 @@ data Service = Service
     serviceTalk :: Asked -> Maybe (Conversation -> IO ())
   }
 
--- | The longest message that a page may send, in bytes: a film of some hundred keys.
+-- | The longest message that a page may send, in bytes: an animation of some hundred keys.
 maximumMessageBytes :: Int
 maximumMessageBytes = 1048576

@@ -5,7 +5,7 @@ module BlackHole.Explore.Session
   )
 where
 
-import BlackHole.Animation.Animation (momentScene)
+import BlackHole.Animation.Animation (sceneAt)
 import BlackHole.Explore.CommandLine
 import BlackHole.Explore.Files
 import BlackHole.Explore.Hall
@@ -44,7 +44,7 @@ import qualified Data.ByteString.Builder as Builder
 data Page = Page
   { pageHall :: !Hall,
     pageEasel :: !Easel,
-    pageFilm :: !(TVar (Maybe Sequence)),
+    pageAnimation :: !(TVar (Maybe Sequence)),
     -- | The thread that explains a pixel.
     pageInspector :: !(TVar (Maybe (Async ()))),
     pageSend :: Outgoing -> IO ()
@@ -57,12 +57,12 @@ converse hall conversation = bracket_ (count 1) (count (-1)) $ do
   wanted <- newTVarIO (Wanted 0 0 (fst (hallStart hall)) (snd (hallStart hall)) Nothing)
   sent <- newTVarIO 0
   drawn <- newTVarIO 0
-  film <- newTVarIO Nothing
+  animation <- newTVarIO Nothing
   inspector <- newTVarIO Nothing
   let deliver message = withMVar lock (\() -> send conversation message)
       refuse input = deliver . TextMessage . hallText hall . Refused (Just input) . pure
       easel = Easel (hallStudio hall) wanted sent drawn (deliver . BinaryMessage . frameBytes) refuse
-      page = Page hall easel film inspector deliver
+      page = Page hall easel animation inspector deliver
   let listen = hear conversation >>= mapM_ (\bytes -> either (\(input, fault) -> tell page (Refused input [fault])) (obey page) (parseMessage bytes) >> listen)
   (listen `race_` paint easel `race_` announce page `race_` reportJob page) `finally` (readTVarIO (pageInspector page) >>= mapM_ cancel)
   where
@@ -146,20 +146,20 @@ obey page message = case message of
   SaveScene how name -> do
     scene <- wantedScene <$> readTVarIO (easelWanted (pageEasel page))
     save [".yaml", ".yml"] how name (printScene ["A complete scene, with every setting."] scene)
-  DefineFilm timeline -> do
-    let film = sequenceOf timeline
-    atomically (writeTVar (pageFilm page) (either (const Nothing) Just film))
-    tell page (FilmIs (sequenceFixed <$> film))
-  SaveFilm how name -> do
-    film <- readTVarIO (pageFilm page)
-    case film of
-      Nothing -> refusal ["there is no film to save"]
+  DefineAnimation timeline -> do
+    let made = sequenceOf timeline
+    atomically (writeTVar (pageAnimation page) (either (const Nothing) Just made))
+    tell page (AnimationIs (sequenceFixed <$> made))
+  SaveAnimation how name -> do
+    animation <- readTVarIO (pageAnimation page)
+    case animation of
+      Nothing -> refusal ["there is no animation to save"]
       Just made -> save [".yaml", ".yml"] how name (sequenceText made)
   Scrub input seconds -> do
-    film <- readTVarIO (pageFilm page)
-    case film of
-      Nothing -> refuse input ["there is no film"]
-      Just made -> either (refuse input . map renderProblem) (show' input) (momentScene (sequenceFilm made) seconds)
+    animation <- readTVarIO (pageAnimation page)
+    case animation of
+      Nothing -> refuse input ["there is no animation"]
+      Just made -> either (refuse input . map renderProblem) (show' input) (sceneAt (sequenceAnimation made) seconds)
   RenderFile how name -> do
     scene <- wantedScene <$> readTVarIO (easelWanted (pageEasel page))
     ready <- writableFile (map fst formatExtensions) how name

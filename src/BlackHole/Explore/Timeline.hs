@@ -1,4 +1,4 @@
--- | Keyframes that a page sets, and the film that they make.
+-- | Keyframes that a page sets, and the animation that they make.
 module BlackHole.Explore.Timeline
   ( Timeline (..),
     Key (..),
@@ -27,7 +27,7 @@ import qualified Data.ByteString.Lazy as Lazy
 import Data.List (intercalate, nub, sortOn)
 import Data.Maybe (mapMaybe)
 
--- | A film in the making: its length in seconds, its frames per second, how values go
+-- | An animation in the making: its length in seconds, its frames per second, how values go
 -- from key to key, and the keys.
 data Timeline = Timeline
   { timelineDuration :: !Double,
@@ -48,34 +48,34 @@ data Key = Key
 interpolations :: [(String, Interpolation)]
 interpolations = [(interpolationName kind, kind) | kind <- [minBound ..]]
 
--- | The film of a timeline.
+-- | The animation of a timeline.
 data Sequence = Sequence
-  { sequenceFilm :: !Film,
+  { sequenceAnimation :: !Animation,
     -- | The animation scene file.
     sequenceText :: !String,
-    -- | Paths of settings that differ between keys but cannot change in a film. They
+    -- | Paths of settings that differ between keys but cannot change in an animation. They
     -- keep the value of the first key.
     sequenceFixed :: ![String]
   }
 
--- | The film of a timeline, read back from the text of its scene file, so that a saved
--- film is the one that was seen; or what is wrong with it.
+-- | The animation of a timeline, read back from the text of its scene file, so that a saved
+-- animation is the one that was seen; or what is wrong with it.
 sequenceOf :: Timeline -> Either [String] Sequence
 sequenceOf timeline = case sortOn keySeconds (timelineKeys timeline) of
-  [] -> Left ["a film needs a keyframe"]
+  [] -> Left ["an animation needs a keyframe"]
   keys@(first : _)
     | map keySeconds keys /= nub (map keySeconds keys) -> Left ["two keyframes have the same time"]
     | otherwise -> do
       let scene = applySettings (keySettings first) defaultScene
           text = sequenceLines timeline scene keys
-      film <- readBack text scene
-      Right (Sequence film text [fieldPath f | f <- sceneFields, varies keys f, not (isTrackable f && all (hasValue f) keys)])
+      animation <- readBack text scene
+      Right (Sequence animation text [fieldPath f | f <- sceneFields, varies keys f, not (isTrackable f && all (hasValue f) keys)])
   where
     readBack text scene = case parseYaml (Lazy.toStrict (Builder.toLazyByteString (Builder.stringUtf8 text))) of
-      Right (Just root) | Just (film, faults) <- readAnimation root -> case faults of
-        [] -> Right (film scene)
+      Right (Just root) | Just (animation, faults) <- readAnimation root -> case faults of
+        [] -> Right (animation scene)
         _ -> Left (map (renderProblem . snd) faults)
-      _ -> Left ["the film has no scene file"]
+      _ -> Left ["the animation has no scene file"]
 
 valueIn :: Field -> Key -> Maybe Value
 valueIn field key = lookup (fieldPath field) [(settingPath s, settingValue s) | s <- keySettings key]
@@ -89,7 +89,7 @@ varies keys field = length (nub (map (valueIn field) keys)) > 1
 -- | The scene file: the scene of the first key, and a section @animation@.
 sequenceLines :: Timeline -> Scene -> [Key] -> String
 sequenceLines timeline scene keys =
-  printScene ["A film made with blackhole explore: blackhole animate FILE -o frames/%05d.png"] scene
+  printScene ["An animation made with blackhole explore: blackhole animate FILE -o frames/%05d.png"] scene
     ++ unlines
       ( [ "",
           animationKey ++ ":",

@@ -3,20 +3,22 @@
 -- | OpenEXR files with one part of scan lines and ZIP compression in blocks of 16
 -- lines, after "OpenEXR File Layout" and "Technical Introduction to OpenEXR" (Academy
 -- Software Foundation). Light is linear, in the primaries of BT.709, as on the film.
+--
+-- Written by hand because no library for this format is packaged for Debian or Stackage.
 module BlackHole.Image.Exr
   ( ExrPrecision (..),
     encodeExr,
-    writeExr,
-    exrLabel,
+    exrMetadata,
     halfBits,
   )
 where
 
 import BlackHole.Image.Bytes
 import BlackHole.Image.Deflate
+import BlackHole.Image.Destination
 import BlackHole.Image.Metadata
 import BlackHole.Image.Sphere
-import BlackHole.Render.Film (Film, filmRows)
+import BlackHole.Render.Film (Film)
 import BlackHole.Render.Layer
 import BlackHole.Render.PixelArray (pixelArrayShape, toPixelVector)
 import BlackHole.Render.PixelShape
@@ -29,7 +31,6 @@ import Data.ByteString.Builder (Builder)
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Char8 as Characters
 import Data.ByteString.Internal (unsafeCreate)
-import qualified Data.ByteString.Lazy as Lazy
 import Data.ByteString.Unsafe (unsafeIndex)
 import Data.IORef (modifyIORef', newIORef, readIORef)
 import Data.List (sort, sortOn)
@@ -37,7 +38,6 @@ import qualified Data.Vector.Storable as Vector
 import Data.Word (Word16, Word32, Word8)
 import Foreign.Ptr (Ptr)
 import Foreign.Storable (pokeByteOff)
-import System.IO (Handle, SeekMode (AbsoluteSeek), hSeek)
 import System.Mem (performMajorGC)
 
 -- | The precision of the light. Layers always have 32 bits.
@@ -61,48 +61,41 @@ channelBytes (Channel _ half) = if half then 2 else 4
 -- their first index in the array, and their distance.
 data ChannelRow = ChannelRow !Bool !Int !Int !(Vector.Vector Word32)
 
--- | A file with a film's light in the channels R, G and B, additional layers and the
--- label (attributes @software@ and @comments@). 'Nothing' if names of layers are equal,
--- empty or longer than 31 characters. The bytes do not depend on the number of workers.
-encodeExr :: Workers -> ExrPrecision -> Label -> Layers -> Film -> IO (Maybe Lazy.ByteString)
-encodeExr workers precision label layers film
-  | layersFit layers = do
-    blocks <- newIORef []
-    _ <- eachBlock workers precision width height layers (pure . filmRows film) (\bytes -> modifyIORef' blocks (bytes :))
-    contents <- reverse <$> readIORef blocks
-    pure . Just . Builder.toLazyByteString $
-      Builder.byteString header
-        <> offsets (Bytes.length header) (map Bytes.length contents)
-        <> foldMap Builder.byteString contents
-  | otherwise = pure Nothing
-  where
-    header = strict (headerOf label width height (channelsOf precision layers))
-    width = shapeWidth (pixelArrayShape film)
-    height = shapeHeight (pixelArrayShape film)
-
--- | @writeExr workers precision label (width, height) layers rowsOf handle@ writes the
--- file of 'encodeExr' from bands of light to a seekable handle, a few rows at a time.
--- 'Nothing' where 'encodeExr' returns 'Nothing'. The action returns 'False', and leaves
--- a truncated file, as soon as a band is missing.
-writeExr :: Workers -> ExrPrecision -> Label -> (Int, Int) -> Layers -> ((Int, Int) -> IO (Maybe Film)) -> Maybe (Handle -> IO Bool)
-writeExr workers precision label (width, height) layers rowsOf
-  | layersFit layers = Just $ \handle -> do
-    sizes <- newIORef []
-    Bytes.hPut handle header
-    -- The offsets of the blocks are known only after they are written.
-    Lazy.hPut handle (Lazy.replicate (8 * fromIntegral (length (blocksOf height))) 0)
-    complete <- eachBlock workers precision width height layers rowsOf $ \bytes -> do
-      -- Evaluated now; otherwise the thunk of the length would retain the bytes.
-      let !size = Bytes.length bytes
-      modifyIORef' sizes (size :)
-      Bytes.hPut handle bytes
-    written <- reverse <$> readIORef sizes
-    hSeek handle AbsoluteSeek (toInteger (Bytes.length header))
-    Lazy.hPut handle (Builder.toLazyByteString (offsets (Bytes.length header) written))
-    pure complete
+-- | @encodeExr workers precision metadata (width, height) layers@ is the encoder of files
+-- with a film's light in the channels R, G and B, additional layers and the metadata
+-- (attributes @software@ and @comments@). It keeps a few rows in memory, but all
+-- compressed blocks if the destination cannot go back, because their offsets precede
+-- them. 'Nothing' if names of layers are equal, empty or longer than 31 characters. The
+-- bytes do not depend on the number of workers.
+encodeExr :: Workers -> ExrPrecision -> Metadata -> (Int, Int) -> Layers -> Maybe Encoder
+encodeExr workers precision metadata (width, height) layers
+  | layersFit layers = Just $ \rowsOf destination ->
+    let eachIn = eachBlock workers precision width height layers rowsOf
+     in case overwriteBytes destination of
+          Just overwrite -> do
+            sizes <- newIORef []
+            putBytes destination header
+            putBytes destination (Bytes.replicate (8 * length (blocksOf height)) 0)
+            complete <- eachIn $ \bytes -> do
+              -- Evaluated now; otherwise the thunk of the length would retain the bytes.
+              let !size = Bytes.length bytes
+              modifyIORef' sizes (size :)
+              putBytes destination bytes
+            written <- reverse <$> readIORef sizes
+            complete <$ overwrite (Bytes.length header) (offsets written)
+          Nothing -> do
+            kept <- newIORef []
+            complete <- eachIn (\bytes -> modifyIORef' kept (bytes :))
+            blocks <- reverse <$> readIORef kept
+            mapM_ (putBytes destination) (header : offsets (map Bytes.length blocks) : blocks)
+            pure complete
   | otherwise = Nothing
   where
-    header = strict (headerOf label width height (channelsOf precision layers))
+    header = strict (headerOf metadata width height (channelsOf precision layers))
+    -- The offsets of blocks of these sizes, after the header and this table.
+    offsets sizes =
+      strict . foldMap (Builder.word64LE . fromIntegral) $
+        zipWith const (scanl (+) (Bytes.length header + 8 * length sizes) sizes) sizes
 
 layersFit :: Layers -> Bool
 layersFit layers = and (zipWith (/=) names (drop 1 names)) && all good (layerNames layers)
@@ -115,11 +108,6 @@ channelsOf :: ExrPrecision -> Layers -> [Channel]
 channelsOf precision layers =
   sortOn channelName $
     [Channel name (precision == Half) | name <- ["R", "G", "B"]] ++ [Channel name False | name <- layerNames layers]
-
--- | The offsets of blocks of these sizes, after a header and this table.
-offsets :: Int -> [Int] -> Builder
-offsets header sizes =
-  foldMap (Builder.word64LE . fromIntegral) (zipWith const (scanl (+) (header + 8 * length sizes) sizes) sizes)
 
 -- | The first row of each block and the row after its last.
 blocksOf :: Int -> [(Int, Int)]
@@ -165,22 +153,22 @@ eachBlock workers precision width height layers rowsOf put = go (blocksOf height
 linesPerBlock :: Int
 linesPerBlock = 16
 
-headerOf :: Label -> Int -> Int -> [Channel] -> Builder
-headerOf label width height channels =
+headerOf :: Metadata -> Int -> Int -> [Channel] -> Builder
+headerOf metadata width height channels =
   Builder.byteString magic
     <> attribute "channels" "chlist" (foldMap described channels <> Builder.word8 0)
     <> attribute "chromaticities" "chromaticities" (foldMap Builder.floatLE [0.64, 0.33, 0.30, 0.60, 0.15, 0.06, 0.3127, 0.3290])
-    <> attribute commentsName "string" (Builder.byteString (labelText label))
+    <> attribute commentsName "string" (Builder.byteString (metadataText metadata))
     <> attribute "compression" "compression" (Builder.word8 3)
     <> attribute "dataWindow" "box2i" window
     <> attribute "displayWindow" "box2i" window
     -- A map of all directions by latitude and longitude.
-    <> (if isWholeSphere label (width, height) then attribute "envmap" "envmap" (Builder.word8 0) else mempty)
+    <> (if isWholeSphere metadata (width, height) then attribute "envmap" "envmap" (Builder.word8 0) else mempty)
     <> attribute "lineOrder" "lineOrder" (Builder.word8 0)
     <> attribute "pixelAspectRatio" "float" (Builder.floatLE 1)
     <> attribute "screenWindowCenter" "v2f" (Builder.floatLE 0 <> Builder.floatLE 0)
     <> attribute "screenWindowWidth" "float" (Builder.floatLE 1)
-    <> attribute "software" "string" (Builder.string7 (labelSoftware label))
+    <> attribute "software" "string" (Builder.string7 (metadataSoftware metadata))
     <> Builder.word8 0
   where
     window = foldMap (Builder.int32LE . fromIntegral) [0, 0, width - 1, height - 1]
@@ -205,16 +193,16 @@ magic = Bytes.pack [0x76, 0x2f, 0x31, 0x01, 2, 0, 0, 0]
 commentsName :: String
 commentsName = "comments"
 
--- | The label of an OpenEXR file written by this program.
-exrLabel :: ByteString -> Maybe Label
-exrLabel bytes = Bytes.stripPrefix magic bytes >>= go
+-- | The metadata of an OpenEXR file written by this program.
+exrMetadata :: ByteString -> Maybe Metadata
+exrMetadata bytes = Bytes.stripPrefix magic bytes >>= go
   where
     go rest
       | Bytes.null name = Nothing
       | otherwise = do
         size <- littleEndian 4 0 sized
         content <- slice 4 size sized
-        if name == Characters.pack commentsName then parseLabel content else go (Bytes.drop (4 + size) sized)
+        if name == Characters.pack commentsName then parseMetadata content else go (Bytes.drop (4 + size) sized)
       where
         (name, afterName) = Bytes.break (== 0) rest
         sized = Bytes.drop 1 (Bytes.dropWhile (/= 0) (Bytes.drop 1 afterName))

@@ -2,11 +2,14 @@
 
 -- | Radiance's picture format: linear light as three 8-bit mantissas with a shared
 -- exponent, accurate to 1 in 256 of the strongest primary (Ward 1991, "Real Pixels").
+--
+-- The encoder of JuicyPixels does not serve here: it cuts mantissas off instead of
+-- rounding them, which halves the accuracy and darkens the picture, has no place for
+-- metadata in the header, and needs the whole picture in memory.
 module BlackHole.Image.Hdr
-  ( encodeHdr,
-    hdrHeader,
+  ( hdrHeader,
     hdrRows,
-    hdrLabel,
+    hdrMetadata,
   )
 where
 
@@ -22,7 +25,6 @@ import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Characters
 import Data.ByteString.Internal (unsafeCreate)
-import qualified Data.ByteString.Lazy as Lazy
 import Data.ByteString.Unsafe (unsafeIndex)
 import Data.Maybe (mapMaybe)
 import qualified Data.Vector.Storable as Vector
@@ -30,25 +32,17 @@ import Data.Word (Word32, Word8)
 import Foreign.Ptr (Ptr)
 import Foreign.Storable (pokeByteOff)
 
--- | The film's light with its label in the header. Negative components and NaN become
--- 0; components above 1e38 become 1e38. Rows are run-length encoded where the format
--- allows it (8 to 32767 pixels). The bytes do not depend on the number of workers.
-encodeHdr :: Workers -> Label -> Film -> IO Lazy.ByteString
-encodeHdr workers label film = do
-  rows <- hdrRows workers film
-  pure (Lazy.fromChunks (hdrHeader label (shapeWidth shape, shapeHeight shape) : rows))
-  where
-    shape = pixelArrayShape film
-
 -- | The lines of the file before the rows of a picture of this width and height.
-hdrHeader :: Label -> (Int, Int) -> ByteString
-hdrHeader label (width, height) =
+hdrHeader :: Metadata -> (Int, Int) -> ByteString
+hdrHeader metadata (width, height) =
   Characters.pack . unlines $
-    ["#?RADIANCE", "SOFTWARE=" ++ labelSoftware label]
-      ++ map ((commentMark ++) . Characters.unpack) (Characters.lines (labelText label))
+    ["#?RADIANCE", "SOFTWARE=" ++ metadataSoftware metadata]
+      ++ map ((commentMark ++) . Characters.unpack) (Characters.lines (metadataText metadata))
       ++ ["FORMAT=32-bit_rle_rgbe", "", "-Y " ++ show height ++ " +X " ++ show width]
 
--- | The encoded rows of a band, in order.
+-- | The encoded rows of a band, in order. Negative components and NaN become 0;
+-- components above 1e38 become 1e38. Rows are run-length encoded where the format allows
+-- it (8 to 32767 pixels). The bytes do not depend on the number of workers.
 hdrRows :: Workers -> Film -> IO [ByteString]
 hdrRows workers film = mapShared workers (pure . codedRow) (mapMaybe (pixelRow film) [0 .. shapeHeight shape - 1])
   where
@@ -64,16 +58,16 @@ hdrRows workers film = mapShared workers (pure . codedRow) (mapMaybe (pixelRow f
         separate = rgbe width light
         interleaved = Bytes.pack [unsafeIndex separate (k * width + x) | x <- [0 .. width - 1], k <- [0 .. 3]]
 
--- | The label of a Radiance file written by this program.
-hdrLabel :: ByteString -> Maybe Label
-hdrLabel bytes = case Characters.lines (Bytes.take 1000000 bytes) of
+-- | The metadata of a Radiance file written by this program.
+hdrMetadata :: ByteString -> Maybe Metadata
+hdrMetadata bytes = case Characters.lines (Bytes.take 1000000 bytes) of
   first : rest
     | first == Characters.pack "#?RADIANCE" ->
-      parseLabel . Characters.unlines . mapMaybe (Bytes.stripPrefix (Characters.pack commentMark)) $
+      parseMetadata . Characters.unlines . mapMaybe (Bytes.stripPrefix (Characters.pack commentMark)) $
         takeWhile (not . Bytes.null) rest
   _ -> Nothing
 
--- | Marks the label's lines, because the header ends at the first empty line.
+-- | Marks the metadata's lines, because the header ends at the first empty line.
 commentMark :: String
 commentMark = "# | "
 

@@ -10,9 +10,9 @@ import Data.List (sortOn)
 import qualified Data.Vector.Unboxed as U
 
 -- | A tree over the symbols, with the sum of their counts.
-data Tree = Tree !Int !Shape
+data Tree = Tree !Int !CodeTree
 
-data Shape = Leaf !Int | Fork Tree Tree
+data CodeTree = Leaf !Int | Fork Tree Tree
 
 weight :: Tree -> Int
 weight (Tree w _) = w

@@ -1,7 +1,7 @@
 -- | JPEG files, for when a small file matters more than every detail.
 module BlackHole.Image.Jpeg
   ( encodeJpeg,
-    jpegLabel,
+    jpegMetadata,
   )
 where
 
@@ -20,12 +20,12 @@ import qualified Data.ByteString.Char8 as Characters
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Word (Word8)
 
--- | @encodeJpeg quality label codes@ is a JPEG file with colours at full resolution;
--- the quality is from 1 to 100. The label becomes a comment, truncated at 64 KiB. The
+-- | @encodeJpeg quality metadata codes@ is a JPEG file with colours at full resolution;
+-- the quality is from 1 to 100. The metadata becomes a comment, truncated at 64 KiB. The
 -- format allows sides of up to 65535 pixels. Takes about 0.1 µs per pixel, on one
 -- worker.
-encodeJpeg :: Int -> Label -> PixelArray Word8 -> Lazy.ByteString
-encodeJpeg quality label codes = Lazy.concat [before, Lazy.fromStrict (sphere <> comment), after]
+encodeJpeg :: Int -> Metadata -> PixelArray Word8 -> Lazy.ByteString
+encodeJpeg quality metadata codes = Lazy.concat [before, Lazy.fromStrict (sphere <> comment), after]
   where
     shape = pixelArrayShape codes
     coded =
@@ -37,22 +37,22 @@ encodeJpeg quality label codes = Lazy.concat [before, Lazy.fromStrict (sphere <>
     headSize = case (slice 2 2 start, bigEndian 2 4 start) of
       (Just marker, Just size) | marker == Bytes.pack [0xff, 0xe0] -> 4 + size
       _ -> 2
-    comment = segment 0xfffe (Bytes.take 65533 (labelText label))
-    sphere = foldMap (segment 0xffe1 . (Characters.pack "http://ns.adobe.com/xap/1.0/\0" <>)) (spherePacket label (shapeWidth shape, shapeHeight shape))
+    comment = segment 0xfffe (Bytes.take 65533 (metadataText metadata))
+    sphere = foldMap (segment 0xffe1 . (Characters.pack "http://ns.adobe.com/xap/1.0/\0" <>)) (spherePacket metadata (shapeWidth shape, shapeHeight shape))
     segment marker content =
       strict $
         Builder.word16BE marker <> Builder.word16BE (fromIntegral (Bytes.length content + 2)) <> Builder.byteString content
 
--- | The label of a JPEG file written by this program.
-jpegLabel :: ByteString -> Maybe Label
-jpegLabel bytes = Bytes.stripPrefix (Bytes.pack [0xff, 0xd8]) bytes >>= go
+-- | The metadata of a JPEG file written by this program.
+jpegMetadata :: ByteString -> Maybe Metadata
+jpegMetadata bytes = Bytes.stripPrefix (Bytes.pack [0xff, 0xd8]) bytes >>= go
   where
     go rest = do
       marker <- bigEndian 2 0 rest
       size <- bigEndian 2 2 rest
       content <- slice 4 (size - 2) rest
       case marker of
-        0xfffe | Characters.pack "# " `Bytes.isPrefixOf` content -> parseLabel content
+        0xfffe | Characters.pack "# " `Bytes.isPrefixOf` content -> parseMetadata content
         -- The start of the picture itself.
         0xffda -> Nothing
         _ -> go (Bytes.drop (2 + size) rest)

@@ -1,8 +1,8 @@
--- | The label of a picture file: everything needed to render the picture again.
+-- | The metadata of a picture file: everything that is needed to render the picture again.
 module BlackHole.Image.Metadata
-  ( Label (..),
-    labelText,
-    parseLabel,
+  ( Metadata (..),
+    metadataText,
+    parseMetadata,
   )
 where
 
@@ -14,35 +14,35 @@ import Text.Read (readMaybe)
 
 -- | The program that made the file, the coding of the pixels, and the scene as the text
 -- of a scene file (UTF-8, ending with a newline).
-data Label = Label
-  { labelSoftware :: !String,
-    labelCoding :: !Coding,
-    labelScene :: !ByteString
+data Metadata = Metadata
+  { metadataSoftware :: !String,
+    metadataCoding :: !Coding,
+    metadataScene :: !ByteString
   }
   deriving (Eq, Show)
 
--- | The label as one text for all file formats: a comment line, then the scene. The
+-- | The metadata as one text for all file formats: a comment line, then the scene. The
 -- whole text is itself a valid scene file.
-labelText :: Label -> ByteString
-labelText label = Characters.pack (firstLine ++ "\n") <> labelScene label
+metadataText :: Metadata -> ByteString
+metadataText metadata = Characters.pack (firstLine ++ "\n") <> metadataScene metadata
   where
     firstLine =
       intercalate "; " $
-        (mark ++ labelSoftware label) :
+        (mark ++ metadataSoftware metadata) :
         ["bits " ++ show bits | Just bits <- [codingBits coding]]
           ++ ["quality " ++ show quality | Just quality <- [codingQuality coding]]
-    coding = labelCoding label
+    coding = metadataCoding metadata
 
--- | The inverse of 'labelText'; 'Nothing' for a text of other origin.
-parseLabel :: ByteString -> Maybe Label
-parseLabel text = do
+-- | The inverse of 'metadataText'; 'Nothing' for a text of other origin.
+parseMetadata :: ByteString -> Maybe Metadata
+parseMetadata text = do
   let (firstLine, rest) = Characters.break (== '\n') text
   software : settings <- splitOn ';' <$> stripPrefix mark (Characters.unpack firstLine)
   pure
-    Label
-      { labelSoftware = software,
-        labelCoding = Coding (setting "bits " settings) (setting "quality " settings),
-        labelScene = Characters.drop 1 rest
+    Metadata
+      { metadataSoftware = software,
+        metadataCoding = Coding (setting "bits " settings) (setting "quality " settings),
+        metadataScene = Characters.drop 1 rest
       }
   where
     setting name settings = case [n | Just digits <- map (stripPrefix name) settings, Just n <- [readMaybe digits]] of

@@ -5,12 +5,12 @@
 -- The filter of every row subtracts the pixel to the left from each pixel, which for
 -- rendered pictures is within a few per cent of the best filter for each row. Strips of
 -- rows are compressed independently ("BlackHole.Image.Deflate") and form one zlib
--- stream.
+-- stream, which is why no library's encoder serves here: all of them use one thread and
+-- need the whole picture.
 module BlackHole.Image.Png
   ( Codes (..),
     encodePng,
-    encodePngBands,
-    pngLabel,
+    pngMetadata,
   )
 where
 
@@ -31,7 +31,6 @@ import Data.ByteString.Builder (Builder)
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Char8 as Characters
 import Data.ByteString.Internal (unsafeCreate)
-import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.Vector.Storable as Vector
 import Data.Word (Word16, Word64, Word8)
 import Foreign.Marshal.Alloc (allocaBytes)
@@ -43,27 +42,19 @@ data Codes
   = Codes8 !(PixelArray Word8)
   | Codes16 !(PixelArray Word16)
 
--- | An RGB PNG with its label, marked as sRGB and without a time stamp: equal pixels
--- give equal bytes, for any number of workers. Takes about 15 ns per pixel, and three
--- times that in 16 bits.
-encodePng :: Workers -> Label -> Codes -> IO Lazy.ByteString
-encodePng workers label codes = do
-  strips <- mapShared workers (pure . compressedStrip codes) (stripsOf shape (codeBytes codes))
-  pure . Lazy.fromChunks $
-    pngStart label shape (codeBytes codes) : [piece | Strip _ piece <- strips] ++ [pngEnd (mconcat [total | Strip total _ <- strips])]
-  where
-    shape = codesShape codes
-
--- | @encodePngBands workers label shape bytes rowsOf put@ writes the file of
--- 'encodePng' for a picture that need not be in memory as a whole. @rowsOf (first,
--- count)@ returns consecutive bands of rows, each of several megabytes of pixels. The
--- workers ask such a band for the codes of a few rows, again by first row and count
--- within the picture, with @bytes@ bytes per number. @put@ receives the bytes of the
--- file. The result is 'False', and the file truncated, as soon as a band or rows of it
--- are missing or have another shape.
-encodePngBands :: Workers -> Label -> PixelShape -> Int -> ((Int, Int) -> IO (Maybe ((Int, Int) -> Maybe Codes))) -> (ByteString -> IO ()) -> IO Bool
-encodePngBands workers label shape bytes rowsOf put =
-  go mempty [pngStart label shape bytes] (inGroups (stripsOf shape bytes))
+-- | @encodePng workers metadata shape bytes rowsOf put@ writes an RGB PNG with its
+-- metadata, marked as sRGB and without a time stamp. The picture need not be in memory as
+-- a whole: @rowsOf (first, count)@ returns consecutive bands of rows, each of several
+-- megabytes of pixels. The workers ask such a band for the codes of a few rows, again by
+-- first row and count within the picture, with @bytes@ bytes per number. @put@ receives
+-- the bytes of the file. The result is 'False', and the file truncated, as soon as a band
+-- or rows of it are missing or have another shape.
+--
+-- Equal pixels give equal bytes for any number of workers. Takes about 15 ns per pixel,
+-- and three times that in 16 bits.
+encodePng :: Workers -> Metadata -> PixelShape -> Int -> ((Int, Int) -> IO (Maybe ((Int, Int) -> Maybe Codes))) -> (ByteString -> IO ()) -> IO Bool
+encodePng workers metadata shape bytes rowsOf put =
+  go mempty [pngStart metadata shape bytes] (inGroups (stripsOf shape bytes))
   where
     go !total ready [] = True <$ mapM_ put (ready ++ [pngEnd total])
     go !total ready (strips : rest) = do
@@ -90,17 +81,17 @@ encodePngBands workers label shape bytes rowsOf put =
       (group, rest) -> group : inGroups rest
 
 -- | Everything before the compressed pixels, and the first bytes of their stream.
-pngStart :: Label -> PixelShape -> Int -> ByteString
-pngStart label shape bytes =
+pngStart :: Metadata -> PixelShape -> Int -> ByteString
+pngStart metadata shape bytes =
   strict $
     Builder.byteString signature
       <> chunk "IHDR" (strict header)
       -- The signal is sRGB, with perceptual rendering intent.
       <> chunk "sRGB" (Bytes.singleton 0)
-      <> chunk "tEXt" (Bytes.concat [Characters.pack "Software\0", Characters.pack (labelSoftware label)])
+      <> chunk "tEXt" (Bytes.concat [Characters.pack "Software\0", Characters.pack (metadataSoftware metadata)])
       -- Uncompressed, without a language.
-      <> chunk "iTXt" (Bytes.concat [sceneKeyword, Characters.pack "\0\0\0\0\0", labelText label])
-      <> foldMap (chunk "iTXt" . (Characters.pack "XML:com.adobe.xmp\0\0\0\0\0" <>)) (spherePacket label (shapeWidth shape, shapeHeight shape))
+      <> chunk "iTXt" (Bytes.concat [sceneKeyword, Characters.pack "\0\0\0\0\0", metadataText metadata])
+      <> foldMap (chunk "iTXt" . (Characters.pack "XML:com.adobe.xmp\0\0\0\0\0" <>)) (spherePacket metadata (shapeWidth shape, shapeHeight shape))
       <> chunk "IDAT" zlibHeader
   where
     header =
@@ -113,16 +104,16 @@ pngStart label shape bytes =
 pngEnd :: Adler32 -> ByteString
 pngEnd total = strict (chunk "IDAT" (zlibTrailer total) <> chunk "IEND" Bytes.empty)
 
--- | The label of a PNG file written by this program.
-pngLabel :: ByteString -> Maybe Label
-pngLabel bytes = Bytes.stripPrefix signature bytes >>= go
+-- | The metadata of a PNG file written by this program.
+pngMetadata :: ByteString -> Maybe Metadata
+pngMetadata bytes = Bytes.stripPrefix signature bytes >>= go
   where
     go rest = do
       size <- bigEndian 4 0 rest
       name <- slice 4 4 rest
       content <- slice 8 size rest
       case Bytes.stripPrefix sceneKeyword content of
-        Just text | name == Characters.pack "iTXt" -> parseLabel (Bytes.drop 5 text)
+        Just text | name == Characters.pack "iTXt" -> parseMetadata (Bytes.drop 5 text)
         _ -> go (Bytes.drop (12 + size) rest)
 
 signature :: ByteString

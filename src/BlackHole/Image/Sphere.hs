@@ -18,13 +18,13 @@ import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Characters
 
--- | The angle across the width, in degrees, of a labelled picture that is
+-- | The angle across the width, in degrees, of a tagged picture that is
 -- equirectangular.
-sphereAngle :: Label -> Maybe Double
-sphereAngle label
+sphereAngle :: Metadata -> Maybe Double
+sphereAngle metadata
   -- Most pictures are not; reading their scenes would take longer than this look.
-  | not (Characters.pack name `Bytes.isInfixOf` labelScene label) = Nothing
-  | otherwise = case parseSceneFile (labelScene label) of
+  | not (Characters.pack name `Bytes.isInfixOf` metadataScene metadata) = Nothing
+  | otherwise = case parseSceneFile (metadataScene metadata) of
     Right (file, _)
       | let settings = map placedSetting (fileSettings file),
         NameValue name `elem` valuesOf "camera.projection" settings,
@@ -35,14 +35,14 @@ sphereAngle label
     name = projectionName Equirectangular
     valuesOf path settings = [settingValue s | s <- settings, settingPath s == path]
 
--- | Whether a labelled picture of this width and height shows all directions.
-isWholeSphere :: Label -> (Int, Int) -> Bool
-isWholeSphere label (width, height) = sphereAngle label == Just 360 && width == 2 * height
+-- | Whether a tagged picture of this width and height shows all directions.
+isWholeSphere :: Metadata -> (Int, Int) -> Bool
+isWholeSphere metadata (width, height) = sphereAngle metadata == Just 360 && width == 2 * height
 
--- | The XMP packet of a labelled picture of this width and height; 'Nothing' for
+-- | The XMP packet of a tagged picture of this width and height; 'Nothing' for
 -- other projections.
-spherePacket :: Label -> (Int, Int) -> Maybe ByteString
-spherePacket label (width, height) = packet <$> sphereAngle label
+spherePacket :: Metadata -> (Int, Int) -> Maybe ByteString
+spherePacket metadata (width, height) = packet <$> sphereAngle metadata
   where
     packet angle =
       Characters.pack . concat $

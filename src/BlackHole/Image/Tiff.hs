@@ -7,10 +7,9 @@
 -- linear light, so these files contain the film's own light.
 module BlackHole.Image.Tiff
   ( TiffPixels (..),
-    encodeTiff,
     tiffHeader,
     tiffRows,
-    tiffLabel,
+    tiffMetadata,
   )
 where
 
@@ -23,11 +22,9 @@ import BlackHole.Render.PixelShape
 import Data.Bits (Bits, shiftR)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
-import Data.ByteString.Builder (Builder)
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Char8 as Characters
 import Data.ByteString.Internal (unsafeCreate)
-import qualified Data.ByteString.Lazy as Lazy
 import Data.List (sortOn)
 import Data.Vector.Storable (Storable)
 import qualified Data.Vector.Storable as Vector
@@ -41,30 +38,21 @@ data TiffPixels
   | -- | Linear light.
     TiffLight !Film
 
--- | A little-endian RGB file with its label as the image description. 'Nothing' for
--- pictures of 4 GiB or more, which the format cannot hold. The rows are produced
--- lazily.
-encodeTiff :: Label -> TiffPixels -> Maybe Lazy.ByteString
-encodeTiff label pixels =
-  (\header -> Builder.toLazyByteString (header <> tiffRows pixels)) <$> tiffHeader label bits (shapeWidth shape, shapeHeight shape)
-  where
-    (shape, bits) = case pixels of
-      TiffCodes codes -> (pixelArrayShape codes, 16)
-      TiffLight film -> (pixelArrayShape film, 32)
-
--- | The bytes of a band's numbers.
-tiffRows :: TiffPixels -> Builder
+-- | The rows of a band as they are in the file.
+tiffRows :: TiffPixels -> [ByteString]
 tiffRows pixels = case pixels of
   TiffCodes codes -> littleEndianRows 2 (pixelArrayShape codes) (toPixelVector codes)
   TiffLight film -> littleEndianRows 4 (pixelArrayShape film) (Vector.unsafeCast (toPixelVector film) :: Vector.Vector Word32)
 
--- | @tiffHeader label bits (width, height)@ is everything before the pixels, for 16-bit
--- codes or 32-bit floating point.
-tiffHeader :: Label -> Int -> (Int, Int) -> Maybe Builder
-tiffHeader label bits (width, height)
+-- | @tiffHeader metadata bits (width, height)@ is everything before the rows of a
+-- little-endian RGB file of 16-bit codes or 32-bit floating point, with the metadata as
+-- its image description. 'Nothing' for pictures of 4 GiB or more, which the format cannot
+-- hold.
+tiffHeader :: Metadata -> Int -> (Int, Int) -> Maybe ByteString
+tiffHeader metadata bits (width, height)
   | toInteger width * toInteger height * 3 * toInteger (bits `quot` 8) > 0xf0000000 = Nothing
   | otherwise =
-    Just $
+    Just . strict $
       Builder.string7 "II" <> Builder.word16LE 42 <> Builder.word32LE 8
         <> Builder.word16LE (fromIntegral (length entries))
         <> mconcat [Builder.word16LE tag <> Builder.word16LE kind <> Builder.word32LE count <> value | (tag, kind, count, value) <- placed]
@@ -81,7 +69,7 @@ tiffHeader label bits (width, height)
           shorts 258 (replicate 3 bits),
           shorts 259 [1],
           shorts 262 [2],
-          ascii 270 (labelText label),
+          ascii 270 (metadataText metadata),
           long 273 dataStart,
           shorts 277 [3],
           long 278 height,
@@ -90,12 +78,12 @@ tiffHeader label bits (width, height)
           ratio 283 72,
           shorts 284 [1],
           shorts 296 [2],
-          ascii 305 (Characters.pack (labelSoftware label)),
+          ascii 305 (Characters.pack (metadataSoftware metadata)),
           shorts 339 (replicate 3 sampleFormat)
         ]
           ++ [(700, 1, fromIntegral (Bytes.length packet), padded packet) | Just packet <- [sphere]]
-    sphere = spherePacket label (width, height)
-    shorts :: Word16 -> [Int] -> Entry
+    sphere = spherePacket metadata (width, height)
+    shorts :: Word16 -> [Int] -> DirectoryEntry
     long tag v = (tag, 4, 1, strict (Builder.word32LE (fromIntegral v)))
     shorts tag values = (tag, 3, fromIntegral (length values), strict (foldMap (Builder.word16LE . fromIntegral) values))
     ratio tag v = (tag, 5, 1, strict (Builder.word32LE v <> Builder.word32LE 1))
@@ -107,7 +95,7 @@ tiffHeader label bits (width, height)
     -- positions.
     longTexts =
       6 + 8 + 8 + 6
-        + sum [n | n <- map (Bytes.length . padded . (`Bytes.snoc` 0)) [labelText label, Characters.pack (labelSoftware label)], n > 4]
+        + sum [n | n <- map (Bytes.length . padded . (`Bytes.snoc` 0)) [metadataText metadata, Characters.pack (metadataSoftware metadata)], n > 4]
         + maybe 0 (Bytes.length . padded) sphere
     placed = place heapStart entries
     place _ [] = []
@@ -116,8 +104,8 @@ tiffHeader label bits (width, height)
       | otherwise = (tag, kind, count, Builder.byteString (Bytes.take 4 (content <> Bytes.replicate 4 0))) : place at rest
 
 -- | The numbers of every row, lowest byte first, produced lazily.
-littleEndianRows :: (Storable e, Integral e, Bits e) => Int -> PixelShape -> Vector.Vector e -> Builder
-littleEndianRows bytes shape numbers = foldMap (Builder.byteString . row) [0 .. shapeHeight shape - 1]
+littleEndianRows :: (Storable e, Integral e, Bits e) => Int -> PixelShape -> Vector.Vector e -> [ByteString]
+littleEndianRows bytes shape numbers = map row [0 .. shapeHeight shape - 1]
   where
     size = shapeRowLength shape
     row y = unsafeCreate (bytes * size) $ \out ->
@@ -133,11 +121,11 @@ littleEndianRows bytes shape numbers = foldMap (Builder.byteString . row) [0 .. 
 {-# INLINE littleEndianRows #-}
 
 -- | Tag, type, count, and the bytes of the value.
-type Entry = (Word16, Word16, Word32, ByteString)
+type DirectoryEntry = (Word16, Word16, Word32, ByteString)
 
--- | The label of a TIFF file written by this program.
-tiffLabel :: ByteString -> Maybe Label
-tiffLabel bytes = do
+-- | The metadata of a TIFF file written by this program.
+tiffMetadata :: ByteString -> Maybe Metadata
+tiffMetadata bytes = do
   _ <- Bytes.stripPrefix (Bytes.pack [0x49, 0x49, 42, 0]) bytes
   directory <- littleEndian 4 4 bytes
   count <- littleEndian 2 directory bytes
@@ -145,5 +133,5 @@ tiffLabel bytes = do
     place : _ -> do
       size <- littleEndian 4 (place + 4) bytes
       start <- littleEndian 4 (place + 8) bytes
-      parseLabel . Bytes.takeWhile (/= 0) =<< slice start size bytes
+      parseMetadata . Bytes.takeWhile (/= 0) =<< slice start size bytes
     [] -> Nothing

@@ -16,11 +16,13 @@ module BlackHole.Light.ToneMap
     ToneCurve (..),
     toneCurve,
     keepingHue,
+    falseColour,
   )
 where
 
 import BlackHole.Light.Gamut (fitGamut)
 import BlackHole.Light.Radiance
+import BlackHole.Light.Srgb (decodeSrgb)
 
 -- | The tone maps. All leave black black and never darken anything when the
 -- light grows.
@@ -40,6 +42,9 @@ data ToneMap
     -- of light that was first drawn towards its own grey a little, so that what
     -- is bright gently bleaches.
     ToneAgx
+  | -- | False colour, as radio astronomers show maps of brightness: luminance up to
+    -- display white from black through red and orange to white ('falseColour').
+    ToneRadio
   deriving (Eq, Show, Read, Enum, Bounded)
 
 -- | The name on the command line and in scene files.
@@ -50,6 +55,7 @@ toneMapName tone = case tone of
   ToneReinhard -> "reinhard"
   ToneAces -> "aces"
   ToneAgx -> "agx"
+  ToneRadio -> "radio"
 
 -- | A curve from exposed light, 0 or more, to a display's linear light, 0…1,
 -- growing and with 0 at 0; the part of the weakest primary, 0 to 1, that is first
@@ -57,10 +63,11 @@ toneMapName tone = case tone of
 -- 0 to 1.
 data ToneCurve = ToneCurve !Double !Double (Double -> Double)
 
--- | The curve of a tone map; 'Nothing' for 'ToneNone'.
+-- | The curve of a tone map; 'Nothing' for 'ToneNone' and 'ToneRadio', which have none.
 toneCurve :: ToneMap -> Maybe ToneCurve
 toneCurve tone = case tone of
   ToneNone -> Nothing
+  ToneRadio -> Nothing
   ToneFilm -> Just (ToneCurve crosstalk 1 (\x -> 1 - exp (negate x)))
   ToneReinhard -> Just (ToneCurve crosstalk 0 (\x -> if isInfinite x then 1 else x / (1 + x)))
   ToneAces -> Just (ToneCurve crosstalk 0 narkowicz)
@@ -76,10 +83,22 @@ toneCurve tone = case tone of
 -- "BlackHole.Light.Display" has tables of them.
 applyToneMap :: ToneMap -> Radiance -> Radiance
 applyToneMap tone light = case toneCurve tone of
-  Nothing -> fitGamut light
+  Nothing
+    | tone == ToneRadio -> mapRadiance decodeSrgb (falseColour (luminance (mapRadiance (max 0) light)))
+    | otherwise -> fitGamut light
   Just (ToneCurve inset kept curve) -> mapRadiance square (keepingHue inset kept (\u -> sqrt (curve (u * u))) light)
   where
     square u = min 1 (u * u)
+
+-- | The sRGB signals, 0 to 1, for a luminance of 0 to 1: each primary rises by twice the
+-- luminance, green starts at a quarter and blue at half (the colour map @afmhot@ of
+-- Gnuplot and matplotlib, of which the Event Horizon Telescope's pictures show a variant).
+-- NaN counts as black.
+falseColour :: Double -> Radiance
+falseColour brightness = Radiance (rising 0) (rising 0.25) (rising 0.5)
+  where
+    rising start = min 1 (max 0 (2 * (brightness - start)))
+{-# INLINE falseColour #-}
 
 -- | @keepingHue inset kept rootCurve light@: the square roots of the three primaries
 -- after a curve that takes roots to roots, without falling anywhere. They lie

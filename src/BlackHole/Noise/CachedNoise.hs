@@ -56,7 +56,7 @@ cacheNoise budget seed profile low high =
       Just box
         | used + boxPoints box <= fromIntegral (max 0 budget) ->
           box {boxOffset = used} : fitting (used + boxPoints box) rest
-      _ -> [Box l' 0 0 0 0 0 0 0 | l' <- l : map fst rest]
+      _ -> [CellBox l' 0 0 0 0 0 0 0 | l' <- l : map fst rest]
     gradientsOf box
       | boxCountX box == 0 = []
       | otherwise = [gradientsOfLines seed box from (min (lineCount box) (from + pieceOf box)) | from <- [0, pieceOf box .. lineCount box - 1]]
@@ -66,8 +66,8 @@ cacheNoise budget seed profile low high =
 
 -- | The numbers of the gradients on a range of a box's lines along z, given by the
 -- first line and the line after the last.
-gradientsOfLines :: Seed -> Box -> Int -> Int -> PrimArray Word8
-gradientsOfLines seed (Box l x y z _ ny nz _) from to = runPrimArray $ do
+gradientsOfLines :: Seed -> CellBox -> Int -> Int -> PrimArray Word8
+gradientsOfLines seed (CellBox l x y z _ ny nz _) from to = runPrimArray $ do
   numbers <- newPrimArray ((to - from) * count)
   let along !line = when (line < to) $ do
         let (dx, dy) = fromIntegral line `quotRem` (ny + 1)
@@ -147,7 +147,7 @@ hashed !seed !number = noise3 seed (clampedLevel (fromIntegral number))
 
 -- | The cells of one level in a box of space: the first index and the number of cells
 -- along each axis, and the position of its points in the table.
-data Box = Box
+data CellBox = CellBox
   { _boxLevel :: !Level,
     _boxX :: !Word64,
     _boxY :: !Word64,
@@ -163,18 +163,18 @@ boxFields = 9
 realFields = 2
 
 -- | The box in the form that 'cachedPerlin3' reads.
-boxNumbers :: Box -> [Word64]
-boxNumbers (Box l x y z nx ny nz offset) =
+boxNumbers :: CellBox -> [Word64]
+boxNumbers (CellBox l x y z nx ny nz offset) =
   [fromIntegral (levelNumber l), lastIndex l, fromMiddle x, fromMiddle y, fromMiddle z, nx, ny, nz, offset]
   where
     fromMiddle i = i - middleIndex l
 
-boxPoints :: Box -> Word64
+boxPoints :: CellBox -> Word64
 boxPoints box = (boxCountX box + 1) * (boxCountY box + 1) * (boxCountZ box + 1)
 
 -- | The box of a level between two corners. 'Nothing' if a coordinate is not finite, or
 -- if the box is empty or has too many cells to tabulate.
-boxAt :: Level -> XYZ -> XYZ -> Maybe Box
+boxAt :: Level -> XYZ -> XYZ -> Maybe CellBox
 boxAt l (XYZ x0 y0 z0) (XYZ x1 y1 z1) = do
   -- The cell of level 0 does not begin at the origin, and positions beyond level 50
   -- exceed the range of 'floorOf'.
@@ -183,7 +183,7 @@ boxAt l (XYZ x0 y0 z0) (XYZ x1 y1 z1) = do
   nx <- count x0 x1
   ny <- count y0 y1
   nz <- count z0 z1
-  pure (Box l (pointX3 corner) (pointY3 corner) (pointZ3 corner) nx ny nz 0)
+  pure (CellBox l (pointX3 corner) (pointY3 corner) (pointZ3 corner) nx ny nz 0)
   where
     cellsAround = cellsPerUnit l * circumference
     -- The cells touched, plus one in case both ends lie within cells.

@@ -3,14 +3,11 @@
 -- | The film: the linear radiance of every pixel, and its development for a display.
 module BlackHole.Render.Film
   ( Film,
-    exposeFilm,
-    exposeFilmWithSky,
-    exposeRows,
-    exposeRowsWithSky,
     Exposed (..),
     SampleCounts,
-    exposeCounted,
+    exposeFilm,
     exposeTraced,
+    allRows,
     countsRow,
     filmRows,
     developFilm,
@@ -23,7 +20,6 @@ module BlackHole.Render.Film
 where
 
 import BlackHole.Light.Display
-import BlackHole.Light.Dither (Dither)
 import BlackHole.Light.Radiance
 import BlackHole.Render.PixelArray
 import BlackHole.Render.PixelRows (convertedRows, mapRows, pixelChannels, pixelRow)
@@ -50,28 +46,6 @@ import System.Mem (performMajorGC)
 -- | Linear radiance in three channels, row by row from the top.
 type Film = PixelArray Float
 
--- | Traces every pixel of a scene. The callback receives the number of finished rows.
--- The result does not depend on the number of workers. 'Nothing' if the scene is not
--- valid.
-exposeFilm :: Workers -> (Int -> IO ()) -> Scene -> IO (Maybe Film)
-exposeFilm = exposeFilmWithSky Nothing
-
--- | 'exposeFilm' with the environment map, for a scene that has one
--- ('BlackHole.Trace.Sky.neededPicture'); without its map such a scene yields 'Nothing'.
-exposeFilmWithSky :: Maybe EnvironmentMap -> Workers -> (Int -> IO ()) -> Scene -> IO (Maybe Film)
-exposeFilmWithSky picture workers progress scene =
-  exposeRowsWithSky picture workers progress scene (0, pictureHeight (scenePicture scene))
-
--- | 'exposeFilm' for a band of the picture: its first row and its number of rows (at
--- least 1). The numbers equal those of the whole film. 'Nothing' also if the picture
--- has no such rows.
-exposeRows :: Workers -> (Int -> IO ()) -> Scene -> (Int, Int) -> IO (Maybe Film)
-exposeRows = exposeRowsWithSky Nothing
-
--- | 'exposeRows' with the environment map, for a scene that has one.
-exposeRowsWithSky :: Maybe EnvironmentMap -> Workers -> (Int -> IO ()) -> Scene -> (Int, Int) -> IO (Maybe Film)
-exposeRowsWithSky picture workers progress scene band = fmap exposedLight <$> exposeCounted picture workers progress scene band
-
 -- | The number of samples of each pixel, in one channel.
 type SampleCounts = PixelArray Float
 
@@ -81,6 +55,10 @@ data Exposed = Exposed
     -- | 'Nothing' if every pixel got the scene's number of samples.
     exposedCounts :: !(Maybe SampleCounts)
   }
+
+-- | The band of all rows of a picture.
+allRows :: Picture -> (Int, Int)
+allRows (Picture _ height) = (0, height)
 
 -- | @countsRow scene exposed row@ is the number of samples of each pixel in a row,
 -- counted from the first exposed row; empty for other rows.
@@ -101,11 +79,16 @@ filmRows film (first, rows)
   where
     shape = pixelArrayShape film
 
--- | 'exposeRowsWithSky' with the number of samples of each pixel.
-exposeCounted :: Maybe EnvironmentMap -> Workers -> (Int -> IO ()) -> Scene -> (Int, Int) -> IO (Maybe Exposed)
-exposeCounted picture workers progress scene band = maybe (pure Nothing) (\traced -> exposeTraced traced workers progress band) (tracerWithSky picture scene)
+-- | @exposeFilm sky workers progress scene (first, rows)@ traces a band of a picture,
+-- given by its first row and its number of rows (at least 1). @sky@ is the environment
+-- map, for a scene that has one ('BlackHole.Trace.Sky.neededPicture'). @progress@ is
+-- called with the number of finished rows. The numbers equal those of the same rows of
+-- any other band, for any number of workers. 'Nothing' if the scene is not valid or lacks
+-- its map, or if the picture has no such rows.
+exposeFilm :: Maybe EnvironmentMap -> Workers -> (Int -> IO ()) -> Scene -> (Int, Int) -> IO (Maybe Exposed)
+exposeFilm sky workers progress scene band = maybe (pure Nothing) (\traced -> exposeTraced traced workers progress band) (tracerWithSky sky scene)
 
--- | 'exposeCounted' for a scene that is prepared already.
+-- | 'exposeFilm' for a scene that is prepared already.
 exposeTraced :: Tracer -> Workers -> (Int -> IO ()) -> (Int, Int) -> IO (Maybe Exposed)
 exposeTraced traced workers progress (first, rows)
   | first < 0 || first > height - rows = pure Nothing
@@ -120,7 +103,7 @@ exposeTraced traced workers progress (first, rows)
     scene = tracedScene traced
     Picture width height = scenePicture scene
 
--- | The work of 'exposeRows' for adaptive sampling: traces the first samples of some
+-- | The work of 'exposeFilm' for adaptive sampling: traces the first samples of some
 -- rows, then, once all their neighbours are known, the additional samples of these
 -- rows, and continues with the next rows. The number of rows at a time is a compromise:
 -- workers seldom wait for each other, and the sums of all samples need little memory in
@@ -241,50 +224,51 @@ refineRow traced !width !sumsFirst sums !row pixels = go 0
     uncertain c r = uncertainEstimate scene (sumOf c r seenPlace) (sumOf c r (seenPlace + 1))
 
 -- | The codes for an 8-bit sRGB display, after exposure, tone map, coding and dither.
-developFilm :: Workers -> Exposure -> ToneMap -> Dither -> Film -> IO (PixelArray Word8)
-developFilm workers exposure tone dither = mapRows workers (developRow prepared dither)
+developFilm :: Workers -> Development -> Film -> IO (PixelArray Word8)
+developFilm workers development = mapRows workers (developRow prepared)
   where
-    !prepared = developer exposure tone
+    !prepared = developer development
 
 -- | 'developFilm' for a few rows, without workers. The number of the first row in the
--- whole film is needed because the dither depends on the position.
-developedRows :: Developer -> Dither -> Int -> Film -> Maybe (PixelArray Word8)
-developedRows prepared dither first = convertedRows (developRow prepared dither . (first +))
+-- whole film is needed because grain and dither depend on the position.
+developedRows :: Developer -> Int -> Film -> Maybe (PixelArray Word8)
+developedRows prepared first = convertedRows (developRow prepared . (first +))
 
-developRow :: Developer -> Dither -> Int -> Vector Float -> MVector s Word8 -> ST s ()
-developRow !prepared !dither !row light codes = go 0 0
+developRow :: Developer -> Int -> Vector Float -> MVector s Word8 -> ST s ()
+developRow !prepared !row light codes = go 0 0
   where
     go !column !i
       | i >= Vector.length light = pure ()
       | isBlackAt light i = go (column + 1) (i + 3)
       | otherwise = do
-        let (r, g, b) = displayCode prepared dither column row (radianceAt light i)
+        let (r, g, b) = displayCode prepared column row (radianceAt light i)
         MVector.unsafeWrite codes i r
         MVector.unsafeWrite codes (i + 1) g
         MVector.unsafeWrite codes (i + 2) b
         go (column + 1) (i + 3)
 
--- | 'developFilm' in 16 bits, which need no dither.
-developFilmFinely :: Workers -> Exposure -> ToneMap -> Film -> IO (PixelArray Word16)
-developFilmFinely workers exposure tone = mapRows workers (const (developRowFinely prepared))
+-- | 'developFilm' in 16 bits, which need no dither, for a band of the film that starts at
+-- this row.
+developFilmFinely :: Workers -> Development -> Int -> Film -> IO (PixelArray Word16)
+developFilmFinely workers development first = mapRows workers (developRowFinely prepared . (first +))
   where
-    !prepared = developer exposure tone
+    !prepared = developer development
 
 -- | 'developFilmFinely' for a few rows, without workers.
-finelyDevelopedRows :: Developer -> Film -> Maybe (PixelArray Word16)
-finelyDevelopedRows prepared = convertedRows (const (developRowFinely prepared))
+finelyDevelopedRows :: Developer -> Int -> Film -> Maybe (PixelArray Word16)
+finelyDevelopedRows prepared first = convertedRows (developRowFinely prepared . (first +))
 
-developRowFinely :: Developer -> Vector Float -> MVector s Word16 -> ST s ()
-developRowFinely !prepared light codes = go 0
+developRowFinely :: Developer -> Int -> Vector Float -> MVector s Word16 -> ST s ()
+developRowFinely !prepared !row light codes = go 0 0
   where
-    go !i
+    go !column !i
       | i >= Vector.length light = pure ()
       | otherwise = do
-        let Signal r g b = developSignal prepared (radianceAt light i)
+        let Signal r g b = developSignal prepared column row (radianceAt light i)
         MVector.unsafeWrite codes i (fineCode r)
         MVector.unsafeWrite codes (i + 1) (fineCode g)
         MVector.unsafeWrite codes (i + 2) (fineCode b)
-        go (i + 3)
+        go (column + 1) (i + 3)
 
 -- | The radiance of the pixel in a column and a row; 'Nothing' outside the film.
 filmRadiance :: Film -> Int -> Int -> Maybe Radiance

@@ -13,6 +13,7 @@ module BlackHole.Scene.Camera
     projectionHeight,
     PicturePlane,
     picturePlane,
+    shiftedPlane,
     sightDirection,
     sightBeside,
     closesAround,
@@ -152,6 +153,12 @@ data PicturePlane = PicturePlane
 picturePlane :: Projection -> Camera -> Picture -> Frame -> PicturePlane
 picturePlane projection camera picture@(Picture width height) frame =
   PicturePlane projection frame (0.5 * fromIntegral width) (0.5 * fromIntegral height) (pixelScale projection camera picture)
+
+-- | @shiftedPlane right up plane@: the plane of a picture in perspective, with each direction
+-- so many pixels farther right and up. Other projections have no such shift.
+shiftedPlane :: Double -> Double -> PicturePlane -> PicturePlane
+shiftedPlane right up (PicturePlane projection frame halfWidth halfHeight scale) =
+  PicturePlane projection frame (halfWidth + right) (halfHeight - up) scale
 
 -- | The size of a pixel in the middle of the picture: at distance one in perspective,
 -- else in radians.

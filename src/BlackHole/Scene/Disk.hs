@@ -8,6 +8,7 @@ module BlackHole.Scene.Disk
     diskRegion,
     Fineness (..),
     diskThicknessAt,
+    thinnestGas,
   )
 where
 
@@ -88,6 +89,11 @@ data DiskColour
   | -- | The bolometric intensity of that profile, without colour: what all
     -- wavelengths together carry, as in Luminet's picture of 1979.
     Bolometric
+  | -- | Radio waves of an optically thin flow, without colour: synchrotron emission that
+    -- falls with the fourth power of the distance from the hole and with the frequency
+    -- (spectral index 1), so that the flow counts like a black body of a temperature
+    -- ∝ 1\/r. The brightness is that at r = 1.
+    Synchrotron
   deriving (Eq, Show)
 
 -- | The gas of the report's author.
@@ -161,8 +167,8 @@ diskThicknessAt disk rho = case diskProfile disk of
 
 -- | Where there can be gas, and how finely a path through it is to be cut. A
 -- Gaussian is integrated to far below a display's precision by steps of up to 0.8
--- of its width; beyond three widths less than 1.3e-4 of the density is left. Two
--- widths of the haze are enough, and in it the steps grow.
+-- of its width; beyond three widths less than 1.3e-4 of the density is left. The haze
+-- ends where it is 'thinnestGas', and in it the steps grow.
 diskRegion :: Fineness -> Disk -> Region
 diskRegion fineness disk =
   Region
@@ -178,13 +184,18 @@ diskRegion fineness disk =
   where
     reach part = widths * part * diskThickness disk
     hazy = diskHaze disk > 0
-    widths = if hazy then max 3 (2 * diskHazeHeight disk) else 3
+    widths = if hazy then max 3 (diskHazeHeight disk * sqrt (max 0 (log (diskHaze disk / thinnestGas)))) else 3
     (constant, opening) = case diskProfile disk of
       ConstantThickness -> (1, 0)
       ConstantOpening -> (0, 1)
     (vertical, longest) = case fineness of
       Swift -> (0.8, 0.05)
       Fine -> (0.4, 0.02)
+
+-- | The density over that of dense gas below which gas is left out: all of it together
+-- has less than a thousandth of the optical depth.
+thinnestGas :: Double
+thinnestGas = 5.5e-4
 
 -- | Length of the steps through the gas.
 data Fineness

@@ -40,13 +40,14 @@ describedPresets :: [Preset]
 describedPresets =
   [ Preset "default" "a wide disk of glowing gas, seen by an observer at rest above its plane" defaultScene,
     Preset "report" "the picture of the design report, with its observer, gas, stars and leapfrog integration" reportScene,
-    Preset "interstellar" "the look of the film Interstellar (2014): a thin bright disk without Doppler shift or redshift" interstellarScene,
+    Preset "interstellar" "the look of the film Interstellar (2014): a thin bright disk around a rotating hole, without Doppler shift or redshift" interstellarScene,
     Preset "edge-on" "the disk seen from within a degree of its plane" (seenFrom 89 40 defaultScene),
-    Preset "face-on" "the disk seen from near its pole" (seenFrom 12 56 defaultScene),
+    Preset "face-on" "the disk seen from near its pole" faceOnScene,
     Preset "luminet" "Luminet's picture of 1979: a thin opaque disk, its intensity over all wavelengths, without colour" luminetScene,
-    Preset "lens-only" "no disk, only the sky distorted by the hole" defaultScene {sceneDisk = Nothing, sceneSky = SkyStars realSky {realSkyRotation = Degrees (-6), realSkyMilkyWay = 3}, sceneExposure = Exposure 2.5},
+    Preset "lens-only" "no disk, only the sky distorted by the hole" lensOnlyScene,
     Preset "photon-ring" "a close-up of the rings formed by light that has gone around the hole" photonRingScene,
     Preset "falling" "the view of an observer falling into the hole, at r = 2.6" fallingScene,
+    Preset "m87" "the shadow of the hole in the galaxy M87 as the Event Horizon Telescope sees it at a wavelength of 1.3 mm" m87Scene,
     Preset "kerr" "a hole that rotates almost as fast as possible, seen from close to the plane of its disk: a shadow like the letter D" kerrScene
   ]
 
@@ -71,22 +72,49 @@ seenFrom inclination fieldOfView scene =
           }
     }
 
+faceOnScene :: Scene
+faceOnScene = (seenFrom 12 60 defaultScene) {sceneDisk = Just defaultDisk {diskBrightness = 1.3, diskColour = BlackBody 2500}}
+
+-- | The centre of the galaxy a little beside the hole, whose gravity draws the Milky Way
+-- out into a ring.
+lensOnlyScene :: Scene
+lensOnlyScene =
+  defaultScene
+    { sceneCamera = Camera (Around 54 (Degrees 77) (Degrees 90)) (Degrees 30) (Degrees 44),
+      sceneDisk = Nothing,
+      sceneSky = SkyStars realSky {realSkyRotation = Degrees (-6), realSkyMilkyWay = 3},
+      sceneExposure = Exposure 1.6,
+      sceneToneMap = ToneAces,
+      sceneBloom = 0.15
+    }
+
+-- | Spin, disk and camera of James, von Tunzelmann, Franklin and Thorne 2015,
+-- "Gravitational lensing by spinning black holes in astrophysics, and in the movie
+-- Interstellar", section 4: a\/M = 0.6, gas from 9.26 M to 18.7 M, seen from 74.1 M at
+-- 86.56 degrees.
 interstellarScene :: Scene
 interstellarScene =
-  defaultScene
-    { sceneCamera = Camera (Around 50 (Degrees 86) (Degrees 90)) (Degrees (-4)) (Degrees 40),
-      sceneDisk =
-        Just
-          defaultDisk
-            { diskThickness = 0.1,
-              diskBrightness = 1.3,
-              diskArms = 0,
-              diskTurbulenceFrequency = 18,
-              diskColour = BlackBody 3200
-            },
-      sceneShifts = Shifts False False,
-      sceneBloom = 0.05
-    }
+  maybe id (\hole scene -> scene {sceneSpacetime = Kerr hole}) (spin 0.6) $
+    defaultScene
+      { sceneCamera = Camera (Around 37.05 (Degrees 86.56) (Degrees 90)) (Degrees (-4)) (Degrees 40),
+        sceneDisk =
+          Just
+            defaultDisk
+              { diskInnerRadius = 4.63,
+                diskOuterRadius = 11,
+                diskFade = 0.85,
+                diskThickness = 0.05,
+                diskOpacity = 4,
+                diskBrightness = 2,
+                diskArms = 0,
+                diskTurbulenceFrequency = 18,
+                diskHaze = 0.006,
+                diskHazeHeight = 4,
+                diskColour = BlackBody 4500
+              },
+        sceneShifts = Shifts False False,
+        sceneBloom = 0.15
+      }
 
 luminetScene :: Scene
 luminetScene =
@@ -106,13 +134,14 @@ luminetScene =
               diskColour = Bolometric
             },
       sceneBloom = 0,
+      sceneGrain = 1.3,
       sceneSky = SkyNone
     }
 
 photonRingScene :: Scene
 photonRingScene =
   defaultScene
-    { sceneCamera = Camera (LookAt (XYZ 0 5.2 29.5) (XYZ 0 1.3 0)) (Degrees 0) (Degrees 13)
+    { sceneCamera = Camera (LookAt (XYZ 0 5.2 29.5) (XYZ (-1.9) 2.2 0)) (Degrees 0) (Degrees 7)
     }
 
 fallingScene :: Scene
@@ -123,12 +152,50 @@ fallingScene =
       sceneExposure = Exposure (-3)
     }
 
+-- | The hole in the galaxy M87 at 230 GHz. Its Schwarzschild radius is 7.6 µas wide on the
+-- sky (a mass of 6.5e9 suns at 16.8 Mpc: Event Horizon Telescope Collaboration 2019,
+-- ApJL 875, L1), so that the picture is 164 µas wide and 92 high, the shadow 40, the beam
+-- 20, and the scale bar 50 µas long. The gas turns clockwise on the sky, and its axis is 17
+-- degrees from the line of sight, at right angles to the bright side in the south.
+m87Scene :: Scene
+m87Scene =
+  defaultScene
+    { sceneCamera = Camera (Around distance (Degrees 163) (Degrees 90)) (Degrees 90) (Degrees (2 * atan (0.5 * 164 * width / distance) * 180 / pi)),
+      sceneDisk =
+        Just
+          defaultDisk
+            { diskInnerRadius = 2,
+              diskOuterRadius = 6,
+              diskFade = 0.5,
+              diskThickness = 1.2,
+              diskOpacity = 0.15,
+              diskBrightness = 2900,
+              diskArms = 0,
+              diskTurbulence = 1.5,
+              diskTurbulenceFrequency = 3,
+              diskTurbulenceHeat = 0,
+              diskHaze = 0,
+              diskColour = Synchrotron
+            },
+      sceneSky = SkyNone,
+      sceneSamples = 1,
+      sceneNoise = 0,
+      sceneToneMap = ToneRadio,
+      sceneBloom = 0,
+      sceneBeam = 20 * width / distance * 180 / pi,
+      sceneScaleBar = 50 * width
+    }
+  where
+    -- In Schwarzschild radii, the size at the hole of one microarcsecond.
+    width = 1 / 7.6
+    distance = 1000
+
 kerrScene :: Scene
 kerrScene = maybe defaultScene around (spin 0.998)
   where
     around hole =
       defaultScene
-        { sceneCamera = Camera (Around 40 (Degrees 86) (Degrees 90)) (Degrees 0) (Degrees 30),
+        { sceneCamera = Camera (Around 40 (Degrees 86) (Degrees 90)) (Degrees 0) (Degrees 33),
           sceneSpacetime = Kerr hole,
           -- The gas is hottest in a narrow ring; as bright as the default's it would leave
           -- the rest of the disk dark.
@@ -148,6 +215,8 @@ defaultScene =
             cameraFieldOfView = Degrees 40
           },
       sceneProjection = Perspective,
+      sceneAperture = 0,
+      sceneFocus = 54,
       sceneObserver = Static,
       sceneSpacetime = Schwarzschild,
       sceneIntegrator = Tabulated,
@@ -164,7 +233,12 @@ defaultScene =
       sceneExposure = Exposure 0,
       sceneToneMap = ToneFilm,
       sceneDither = BlueNoise,
-      sceneBloom = 0.03,
+      sceneBeam = 0,
+      sceneBloom = 0.08,
+      sceneSpikes = 0,
+      sceneSpikeLight = 0.1,
+      sceneGrain = 0,
+      sceneScaleBar = 0,
       sceneSeed = 0
     }
 
@@ -179,7 +253,7 @@ reportScene =
         Camera
           { cameraPose = LookAt (XYZ 0 5 25) (XYZ 0 0 0),
             cameraRoll = Degrees 0,
-            cameraFieldOfView = Degrees 40
+            cameraFieldOfView = Degrees 28
           },
       sceneObserver = Coordinate,
       sceneIntegrator = Leapfrogging,

@@ -4,14 +4,17 @@ module BlackHole.Scene.Scene
     Integrator (..),
     integratorName,
     sceneLeapfrog,
+    sceneDevelopment,
+    scaleBarPixels,
     sceneRegion,
     mostSamples,
   )
 where
 
-import BlackHole.Light.Display (Exposure, ToneMap)
+import BlackHole.Light.Display (Development (..), Exposure, ToneMap)
 import BlackHole.Light.Dither (Dither)
-import BlackHole.Scene.Camera (Camera, Picture, Projection)
+import BlackHole.Light.Grain (Grain (..))
+import BlackHole.Scene.Camera (Camera (cameraPose), Picture (..), Projection, pixelAngle, posePosition)
 import BlackHole.Scene.Disk
 import BlackHole.Scene.Filter (Filter)
 import BlackHole.Scene.Shifts (Shifts)
@@ -20,6 +23,7 @@ import BlackHole.Spacetime.LightPath (Region, emptyRegion)
 import BlackHole.Spacetime.Observer (Observer)
 import BlackHole.Spacetime.Schwarzschild.Leapfrog
 import BlackHole.Spacetime.Types (Spacetime)
+import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Word (Word64)
 
 -- | A scene. Equal scenes give equal bytes.
@@ -27,6 +31,10 @@ data Scene = Scene
   { scenePicture :: !Picture,
     sceneCamera :: !Camera,
     sceneProjection :: !Projection,
+    -- | The diameter of the lens in Schwarzschild radii, 0 for a pinhole, and the
+    -- distance from the camera at which it is in focus.
+    sceneAperture :: !Double,
+    sceneFocus :: !Double,
     sceneObserver :: !Observer,
     sceneSpacetime :: !Spacetime,
     sceneIntegrator :: !Integrator,
@@ -51,8 +59,21 @@ data Scene = Scene
     sceneToneMap :: !ToneMap,
     -- | Whether 8-bit codes are dithered.
     sceneDither :: !Dither,
+    -- | The full width at half maximum, in degrees, of the Gaussian that blurs the
+    -- picture; 0 for none.
+    sceneBeam :: !Double,
     -- | The fraction of the light that the lens scatters, 0 to 1.
     sceneBloom :: !Double,
+    -- | The number of straight edges of the aperture that make diffraction spikes; 0 for
+    -- none.
+    sceneSpikes :: !Int,
+    -- | The fraction of the light in the spikes, 0 to 1.
+    sceneSpikeLight :: !Double,
+    -- | The diameter, in thousandths of the picture's width, of the dots of ink that the
+    -- picture is made of; 0 for continuous tones.
+    sceneGrain :: !Double,
+    -- | The length of the scale bar in Schwarzschild radii; 0 for none.
+    sceneScaleBar :: !Double,
     -- | The seed of all noise and of the sampling.
     sceneSeed :: !Word64
   }
@@ -99,3 +120,18 @@ mostSamples :: Scene -> Int
 mostSamples scene
   | sceneNoise scene > 0 && sceneSamples scene > 1 = max (sceneSamples scene) (sceneMostSamples scene)
   | otherwise = sceneSamples scene
+
+-- | How the scene's light is developed for a display.
+sceneDevelopment :: Scene -> Development
+sceneDevelopment scene =
+  Development
+    { developmentExposure = sceneExposure scene,
+      developmentToneMap = sceneToneMap scene,
+      developmentGrain = Grain (0.001 * sceneGrain scene * fromIntegral (pictureWidth (scenePicture scene))) (sceneSeed scene),
+      developmentDither = sceneDither scene
+    }
+
+-- | The length of the scale bar in pixels: of a rod beside the hole, seen in the middle of
+-- the picture through flat space.
+scaleBarPixels :: Scene -> Double
+scaleBarPixels scene = sceneScaleBar scene / (XYZ.norm (posePosition (cameraPose (sceneCamera scene))) * pixelAngle (sceneProjection scene) (sceneCamera scene) (scenePicture scene))

@@ -73,8 +73,16 @@ rangeFaultsOf scene field =
 
 -- | The rules between settings.
 crossFaults :: Scene -> [Fault]
-crossFaults scene = pose ++ projected ++ foldMap edges (sceneDisk scene) ++ turning
+crossFaults scene = pose ++ projected ++ lens ++ bar ++ foldMap edges (sceneDisk scene) ++ turning
   where
+    lens =
+      [ Fault "camera.aperture" (NumberValue (sceneAperture scene)) ("a length from 0 to the distance of the camera from the hole, which is " ++ showNumber (XYZ.norm place) ++ " (Schwarzschild radii)")
+        | sceneAperture scene > XYZ.norm place
+      ]
+    bar =
+      [ Fault "output.scale-bar" (NumberValue (sceneScaleBar scene)) ("a length that fits into the picture, up to " ++ showNumber (0.9 * sceneScaleBar scene * fromIntegral width / scaleBarPixels scene) ++ " (Schwarzschild radii)")
+        | scaleBarPixels scene > 0.9 * fromIntegral width
+      ]
     -- What is defined for a hole without spin only.
     turning = case sceneSpacetime scene of
       Kerr _ ->
@@ -91,8 +99,12 @@ crossFaults scene = pose ++ projected ++ foldMap edges (sceneDisk scene) ++ turn
         [ Fault "image.height" (WholeValue height) ("a whole number from 1 to " ++ show tallest ++ " (pixels): a height of 180 degrees where " ++ show width ++ " pixels are " ++ showNumber fov ++ " degrees")
           | fov > 0 && height > tallest
         ]
-          ++ [ Fault "output.bloom" (NumberValue (sceneBloom scene)) "0 in an equirectangular picture: light does not scatter across its edges to where the sphere goes on"
-               | sceneBloom scene > 0
+          ++ [ Fault path value "0 in an equirectangular picture: light does not scatter across its edges to where the sphere goes on"
+               | (path, value, True) <-
+                   [ ("output.bloom", NumberValue (sceneBloom scene), sceneBloom scene > 0),
+                     ("output.beam", NumberValue (sceneBeam scene), sceneBeam scene > 0),
+                     ("output.spikes", WholeValue (sceneSpikes scene), sceneSpikes scene > 0)
+                   ]
              ]
     Degrees fov = cameraFieldOfView (sceneCamera scene)
     Picture width height = scenePicture scene

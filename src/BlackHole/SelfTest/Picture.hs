@@ -41,8 +41,8 @@ pictureChecks = do
 -- which gives the limit.
 shadowChecks :: (String, Double, Double) -> IO [Check]
 shadowChecks (place, r, fieldOfView) = do
-  exposed <- exposeFilm oneWorker (const (pure ())) scene
-  let pixels = maybe [] allPixels exposed
+  exposed <- exposeFilm Nothing oneWorker (const (pure ())) scene (allRows (scenePicture scene))
+  let pixels = maybe [] (allPixels . exposedLight) exposed
       dark = length (filter (== black) pixels)
       circle = sqrt (fromIntegral dark / pi) :: Double
       unevenness
@@ -100,7 +100,7 @@ workersCheck = do
   where
     scene = defaultScene {scenePicture = Picture 16 9, sceneSamples = 1}
     codes workers = withWorkers workers $ do
-      exposed <- exposeFilm workers (const (pure ())) scene
+      exposed <- exposeFilm Nothing workers (const (pure ())) scene (allRows (scenePicture scene))
       case exposed of
         Nothing -> pure []
-        Just film -> Vector.toList . toPixelVector <$> developFilm workers (sceneExposure scene) (sceneToneMap scene) (sceneDither scene) film
+        Just (Exposed film _) -> Vector.toList . toPixelVector <$> developFilm workers (sceneDevelopment scene) film

@@ -137,10 +137,12 @@ sighting scene traced shared point =
   Sighting
     { sightingPoint = point,
       sightingWeight = 1,
-      sightingDirection = tracedDirection traced point,
-      sightingArrival = arrival scene traced shared point <$> tracedSight traced point,
+      sightingDirection = tracedDirection lensed point,
+      sightingArrival = arrival scene lensed shared point <$> tracedSight lensed point,
       sightingRadiance = sharingRadiance traced shared point
     }
+  where
+    lensed = throughLens traced point
 
 -- | The gathered light, and the number of segments that contributed to it.
 data Counted = Counted !Int !Gathered
@@ -187,7 +189,7 @@ shownAs scene column row radiance =
   Shown
     { shownExposed = exposed,
       shownToneMapped = applyToneMap (sceneToneMap scene) exposed,
-      shownCodes = displayCode (developer (sceneExposure scene) (sceneToneMap scene)) (sceneDither scene) column row onFilm
+      shownCodes = displayCode (developer (sceneDevelopment scene)) column row onFilm
     }
   where
     onFilm = mapRadiance single radiance

@@ -112,19 +112,21 @@ gas space seed shifts disk eye pixel samples =
         _ -> Nothing,
       gasGlow = case diskColour disk of
         HueRamp -> ByRadius (diskBrightness disk)
-        BlackBody peak -> let blackBody = blackBodyRadiance BlackBodyTable.Bolometric peak in byTemperature (\t -> blackBody (t * peak))
-        Bolometric -> byTemperature (\t -> grey (t * t * (t * t)))
+        BlackBody peak -> let blackBody = blackBodyRadiance BlackBodyTable.Bolometric peak in byTemperature thin (\t -> blackBody (t * peak))
+        Bolometric -> byTemperature thin bolometric
+        Synchrotron -> byTemperature recip bolometric
     }
   where
-    byTemperature light =
+    bolometric t = grey (t * t * (t * t))
+    thin = case space of
+      Kerr hole -> Kerr.relativeTemperature (Kerr.thinDisk hole)
+      _ -> relativeTemperature
+    byTemperature temperatureAt light =
       ByTemperature
         (tabulate 1 2048 (regionInnerRadius (diskRegion Fine disk)) (diskOuterRadius disk) (pure . temperatureAt))
         (tabulate 3 4096 0 hottest (\t -> let Radiance r g b = glow t in [r, g, b]))
         glow
       where
-        temperatureAt = case space of
-          Kerr hole -> Kerr.relativeTemperature (Kerr.thinDisk hole)
-          _ -> relativeTemperature
         glow t = scaleRadiance (diskBrightness disk) (light t)
 
 -- | The same gas for another eye, size of a pixel and number of samples, without
@@ -159,7 +161,7 @@ data Light = Planar | Around !GasFlow !LightRay
 throughGas :: Gas -> Light -> Double -> Gathered -> PathSegment -> Gathered
 throughGas prepared light !observed !gathered !segment = case gasAt (gasDensity g) place r extent slant of
   Here dense heat
-    | dense < thinnest -> gathered
+    | dense < thinnestGas -> gathered
     | otherwise -> shining (gasExtinction g * dense) heat
   where
     g = lazy prepared
@@ -202,10 +204,6 @@ throughGas prepared light !observed !gathered !segment = case gasAt (gasDensity 
             | otherwise = glow temperature
        in pass tau source gathered
 {-# NOINLINE throughGas #-}
-
--- | Less dense gas is left out: 'faintest'.
-thinnest :: Double
-thinnest = 5.5e-4
 
 -- | The report's gas colour between the hole's edge (0) and the disk's (1):
 -- hue 50° to 20°, saturation 0.8, full value, read as a display colour.

@@ -234,8 +234,7 @@ armPlace :: Double -> XYZ -> XYZ
 armPlace scale place = scale *^ place ^+^ XYZ 5.3 5.3 5.3
 {-# INLINE armPlace #-}
 
--- | Gas below this logarithm of its density is left out: all of it together has
--- less than a thousandth of the optical depth.
+-- | The logarithm of 'thinnestGas'.
 faintest :: Double
 faintest = -7.5
 

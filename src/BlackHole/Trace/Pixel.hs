@@ -24,6 +24,7 @@ module BlackHole.Trace.Pixel
     tracedScene,
     tracedDirection,
     tracedSight,
+    throughLens,
     tracedGas,
     tracedSky,
     SkyPatch,
@@ -37,6 +38,7 @@ where
 
 import BlackHole.Light.Display (Exposure (..))
 import BlackHole.Light.Radiance
+import BlackHole.Noise.SipHash
 import BlackHole.Numeric.Floor (turnFraction)
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Disk (Disk)
@@ -62,15 +64,19 @@ import BlackHole.Trace.RayDifferential
 import BlackHole.Trace.Sampling
 import BlackHole.Trace.Sky
 import BlackHole.Vector.XY (XY (..))
-import BlackHole.Vector.XYZ (XYZ, (*^), (^-^))
+import BlackHole.Vector.XYZ (XYZ, (*^), (^+^), (^-^))
 import qualified BlackHole.Vector.XYZ as XYZ
+import Data.Bits (shiftR, (.&.))
+import Data.Maybe (fromMaybe)
 import GHC.Exts (lazy)
+import GHC.Float (castDoubleToWord64)
 
 -- | A scene prepared for tracing: everything that its pixels share, computed once.
 data Tracer = Tracer
   { tracerPlane :: !PicturePlane,
     tracerScene :: !Scene,
     tracerEye :: !Eye,
+    tracerLens :: !(Maybe Lens),
     -- | The exposure's factor.
     tracerGain :: !Double,
     -- | The part of g that applies to the sky.
@@ -83,6 +89,10 @@ data Tracer = Tracer
     -- | The sky as a function of the beam.
     tracerSky :: SkyShader
   }
+
+-- | A lens of some size: the frame of the camera, the lens's radius in Schwarzschild radii,
+-- and by how many pixels the picture behind it shifts per Schwarzschild radius.
+data Lens = Lens !Frame !Double !Double
 
 -- | What shines along the way.
 data Matter
@@ -108,6 +118,10 @@ tracerWithSky picture scene = do
         tracerScene = scene,
         tracerGain = 2 ** stops,
         tracerEye = eye (sceneSpacetime scene) (sceneObserver scene) place,
+        tracerLens =
+          if sceneAperture scene > 0
+            then Just (Lens frame (0.5 * sceneAperture scene) (1 / (sceneFocus scene * pixelAngle (sceneProjection scene) (sceneCamera scene) (scenePicture scene))))
+            else Nothing,
         tracerSkyShift = case sceneSpacetime scene of
           Flat -> noSkyShift
           space -> skyShiftAt (sceneShifts scene) (frequencyAtRest space place),
@@ -224,7 +238,7 @@ addSamples prepared from to estimate column row = go from estimate
 -- | 'addSamples' for three pixels in a row, starting at a column.
 addSamplesToThree :: Tracer -> Int -> Int -> Estimate -> Estimate -> Estimate -> Int -> Int -> (Estimate, Estimate, Estimate)
 addSamplesToThree traced from to estimate0 estimate1 estimate2 column row = case sceneIntegrator scene of
-  Leapfrogging -> go from estimate0 estimate1 estimate2
+  Leapfrogging | Nothing <- tracerLens traced -> go from estimate0 estimate1 estimate2
   _ -> (single estimate0 column, single estimate1 (column + 1), single estimate2 (column + 2))
   where
     scene = tracerScene traced
@@ -273,12 +287,49 @@ sightRadiance prepared = sharingRadiance prepared Nothing
 
 -- | 'sightRadiance', given the sky behind the pixel where it is known.
 sharingRadiance :: Tracer -> Maybe SkyPatch -> XY -> Radiance
-sharingRadiance prepared shared point = case tracedSight traced point of
-  Nothing -> black
-  Just sight -> seen traced shared point sight (followLight traced point sight)
+sharingRadiance prepared shared point
+  | Just _ <- tracerLens traced = lensRadiance traced shared point
+  | otherwise = case tracedSight traced point of
+    Nothing -> black
+    Just sight -> seen traced shared point sight (followLight traced point sight)
   where
     -- Otherwise GHC takes the record apart for the call and reassembles it here.
     traced = lazy prepared
+
+-- | 'sharingRadiance' through a point of the lens. Not for inlining: the pinhole's code
+-- would leave more on the heap.
+lensRadiance :: Tracer -> Maybe SkyPatch -> XY -> Radiance
+lensRadiance traced shared point = sharingRadiance (throughLens traced point) shared point
+{-# NOINLINE lensRadiance #-}
+
+-- | The camera as a pinhole in a random point of its lens, one for each point of the
+-- picture: the thin lens of Cook, Porter and Carpenter 1984, in the observer's frame. What
+-- lies at the distance of focus is at the same place of the picture through every point of
+-- the lens. Space counts as flat across the lens. So a line of sight may be continued
+-- straight to the sphere around the hole on which the lens's middle lies, where its light
+-- paths are those of the table; one almost along that sphere, which sees little but the
+-- sky, is shifted onto it instead. Without a lens, the camera itself.
+throughLens :: Tracer -> XY -> Tracer
+throughLens traced point@(XY px py) = case tracerLens traced of
+  Nothing -> traced
+  Just (Lens frame size pixels) -> fromMaybe traced {tracerLens = Nothing} $ do
+    let bits = sipHash2 (SipKey (sceneSeed scene) 0x6c656e73) (castDoubleToWord64 px) (castDoubleToWord64 py)
+        fraction w = (fromIntegral (w .&. 0xffffffff) + 0.5) / 4294967296
+        radius = size * sqrt (fraction bits)
+        angle = 2 * pi * fraction (bits `shiftR` 32)
+        across = radius * cos angle
+        upwards = radius * sin angle
+        plane = shiftedPlane (pixels * across) (pixels * upwards) (tracerPlane traced)
+        place = eyePlace (tracerEye traced)
+        offset = across *^ frameRight frame ^+^ upwards *^ frameUp frame
+    outwards <- XYZ.normalize place
+    direction <- sightDirection plane point
+    let slope = XYZ.dot direction outwards
+        straight = offset ^-^ (XYZ.dot offset outwards * slope / (slope * slope + 0.01)) *^ direction
+    onSphere <- XYZ.normalize (place ^+^ straight)
+    pure traced {tracerLens = Nothing, tracerPlane = plane, tracerEye = eye (sceneSpacetime scene) (sceneObserver scene) (XYZ.norm place *^ onSphere)}
+  where
+    scene = tracerScene traced
 
 -- | The light of the gas, plus the sky's contribution.
 seen :: Tracer -> Maybe SkyPatch -> XY -> SightLine -> Followed Gathered -> Radiance

@@ -59,10 +59,11 @@ sampleOf reconstruction !seed !count !column !row !index
 -- nearer to the curve.
 --
 -- The samples are stratified along and across the curve, whatever its direction. Along
--- it, they are distributed roughly like the filter. Across it, every other one is, and
--- those between them are spread evenly over the logarithm of the distance from the
--- curve, down to a thirtieth of a pixel, so that as many meet each image. The weights
--- make up for that (the balance heuristic of Veach and Guibas 1995).
+-- it, they are distributed roughly like the filter. Across it, they follow a mixture: a
+-- third of them like the filter, and the rest spread evenly over the logarithm of the
+-- distance from the curve, down to a thirtieth of a pixel, so that as many meet each image.
+-- One sequence of numbers is stratified over the whole mixture. The weights make up for the
+-- distribution.
 --
 -- The function gives the distance of a point from the curve in pixels, positive on the
 -- side of the normal, a unit vector, where the images are. Near the pixel it should grow
@@ -76,25 +77,34 @@ curveSample reconstruction !seed (XY nx ny) distance !column !row !index =
       let low = asinh (max 0 (d - reach) / finest)
           high = asinh (max 0 (d + reach) / finest)
           across
-            | even index || high <= low = bell u
-            | otherwise = finest * sinh (low + u * (high - low)) - d
+            | high <= low = bell u
+            | otherwise = quantile (20 :: Int) (negate reach) reach
+          -- The place below which the mixture has the part u, within 3e-6 pixels.
+          quantile n from to
+            | n == 0 = middle
+            | likeFilter * below middle + (1 - likeFilter) * nearer middle < u = quantile (n - 1) middle to
+            | otherwise = quantile (n - 1) from middle
+            where
+              middle = 0.5 * (from + to)
+          nearer x = max 0 (min 1 ((asinh ((d + x) / finest) - low) / (high - low)))
           offsetX = across * nx - along * ny
           offsetY = across * ny + along * nx
-          logarithmic
+          density
             | high <= low = bellDensity across
-            | d + across <= 0 = 0
-            | otherwise = 1 / ((high - low) * sqrt ((d + across) * (d + across) + finest * finest))
+            | d + across <= 0 = likeFilter * bellDensity across
+            | otherwise = likeFilter * bellDensity across + (1 - likeFilter) / ((high - low) * sqrt ((d + across) * (d + across) + finest * finest))
        in Sample
             (XY (middleX + offsetX) (middleY + offsetY))
-            (2 * filterDensity reconstruction offsetX offsetY / (bellDensity along * (bellDensity across + logarithmic)))
+            (filterDensity reconstruction offsetX offsetY / (bellDensity along * density))
   where
-    XY u v = unitPoint seed column row (index `quot` 2)
+    XY u v = unitPoint seed column row index
     middleX = fromIntegral column + 0.5
     middleY = fromIntegral row + 0.5
     along = bell v
     baseX = middleX - along * ny
     baseY = middleY + along * nx
     finest = 1 / 30
+    likeFilter = 0.3
     -- How far the filter reaches, whatever the direction of the curve, and the width of a
     -- logistic distribution like it; of a wide one only the flat top is used.
     (reach, width) = case reconstruction of
@@ -103,6 +113,7 @@ curveSample reconstruction !seed (XY nx ny) distance !column !row !index =
       Mitchell -> (sqrt 8, 0.66)
     edge = tanh (reach / width)
     bell p = width * atanh (edge * (2 * p - 1))
+    below x = 0.5 + 0.5 * tanh (x / width) / edge
     bellDensity x = let t = tanh (x / width) in (1 - t * t) / (2 * width * edge)
 
 -- | The filter at an offset from the pixel's middle; its integral is 1.

@@ -5,7 +5,7 @@ import Test.Hspec
 
 spec :: Spec
 spec = do
-  it "says how far a film is, how fast and how long still" $
+  it "says how far an animation is, how fast and how long still" $
     progressLine (Just 21) (Tally 48 12 9 1 0 0.5 19) `shouldBe` "21 of 48 frames, frame 21 50 %, 0.50 frames/s, 0:51 left, 1 failed"
   it "has no pace before there is anything to go by" $ do
     progressLine Nothing (startTally 48) `shouldBe` "0 of 48 frames"

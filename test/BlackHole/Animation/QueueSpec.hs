@@ -33,7 +33,7 @@ spec = do
     writeFile (file folder 2) "pic"
     removeFile (folder </> ".blackhole" </> "4.png.done")
     writeFile (folder </> ".blackhole" </> "5.png.done") "nonsense"
-    mapM (\n -> frameCondition store n (scene "v1" n)) [1, 2, 4, 5] `shouldReturn` [Damaged, Damaged, Stale, Stale]
+    mapM (\n -> frameState store n (scene "v1" n)) [1, 2, 4, 5] `shouldReturn` [Damaged, Damaged, Stale, Stale]
     (_, made) <- working store good "v1" [0 .. 5]
     made `shouldBe` [1, 2, 4, 5]
     (_, changed) <- working store good "v2" [0 .. 5]

@@ -2,15 +2,18 @@ module BlackHole.Animation.VideoSpec (spec) where
 
 import BlackHole.Animation.Video
 import BlackHole.Scene.Problem (renderProblem)
+import Control.Exception (bracket)
 import Data.List (isInfixOf)
+import GHC.IO.Handle.Lock (LockMode (ExclusiveLock), hLock, hTryLock)
 import System.Directory
 import System.FilePath ((</>))
+import System.IO (IOMode (ReadWriteMode), hClose, openFile)
 import System.IO.Temp (withSystemTempDirectory)
 import Test.Hspec
 
 spec :: Spec
 spec = do
-  it "knows films by their extension" $
+  it "knows animations by their extension" $
     map videoKind ["a.mp4", "b.WebM", "c.gif", "d.avi", "mp4"] `shouldBe` [Just Mp4, Just WebM, Just Gif, Nothing, Nothing]
   it "reads PNG files from a pipe and never asks" $ do
     let arguments = ffmpegArguments (plain Mp4) 23.976 "-o.mp4"
@@ -32,34 +35,43 @@ spec = do
     refused WebM (Just H264) Nothing `shouldBe` ["--codec: h264 is not a codec of .webm files; the choices are: vp9, av1"]
     refused Gif (Just Av1) (Just 3) `shouldBe` ["--codec: has no effect on a GIF", "--crf: has no effect on a GIF"]
   -- A coder of three lines stands for ffmpeg where its fate is to be known.
-  it "sends all frames, in order, and shows the film when it is complete" . inFolder $ \folder -> do
+  it "sends all frames, in order, and shows the animation when it is complete" . inFolder $ \folder -> do
     coder <- script folder "for last; do :; done; cat >\"${last#file:}\""
     frames <- mapM (frame folder) [0 .. 9]
-    video <- started coder (folder </> "film.mp4")
+    video <- started coder (folder </> "animation.mp4")
     mapM_ (feedVideo video) frames
-    doesFileExist (folder </> "film.mp4") `shouldReturn` False
+    doesFileExist (folder </> "animation.mp4") `shouldReturn` False
     finishVideo video `shouldReturn` Right ()
-    readFile (folder </> "film.mp4") `shouldReturn` concatMap picture [0 .. 9]
+    readFile (folder </> "animation.mp4") `shouldReturn` concatMap picture [0 .. 9]
     leftOver folder `shouldReturn` []
-  it "says what happened to a coder that dies, keeps the former film, and leaves nothing" . inFolder $ \folder -> do
+  it "says what happened to a coder that dies, keeps the former animation, and leaves nothing" . inFolder $ \folder -> do
     coder <- script folder "head -c 5 >/dev/null; echo 'no such codec' >&2; exit 7"
     frames <- mapM (frame folder) [0 .. 9]
-    writeFile (folder </> "film.mp4") "former"
-    video <- started coder (folder </> "film.mp4")
+    writeFile (folder </> "animation.mp4") "former"
+    video <- started coder (folder </> "animation.mp4")
     mapM_ (feedVideo video) (concat (replicate 2000 frames))
     outcome <- finishVideo video
     outcome `shouldSatisfy` either (\reason -> "code 7" `isInfixOf` reason && "no such codec" `isInfixOf` reason) (const False)
-    readFile (folder </> "film.mp4") `shouldReturn` "former"
+    readFile (folder </> "animation.mp4") `shouldReturn` "former"
     mapM readFile frames `shouldReturn` map picture [0 .. 9]
     leftOver folder `shouldReturn` []
-  it "ends the coder and leaves nothing when the film is given up" . inFolder $ \folder -> do
+  it "ends the coder and leaves nothing when the animation is given up" . inFolder $ \folder -> do
     coder <- script folder "exec sleep 1000"
-    video <- started coder (folder </> "film.mp4")
+    video <- started coder (folder </> "animation.mp4")
     abandonVideo video
-    doesFileExist (folder </> "film.mp4") `shouldReturn` False
+    doesFileExist (folder </> "animation.mp4") `shouldReturn` False
     leftOver folder `shouldReturn` []
+  it "lets the coder inherit no lock of the program" . inFolder $ \folder -> do
+    coder <- script folder "exec sleep 1000"
+    let locked = openFile (folder </> "lock") ReadWriteMode
+    holding <- locked
+    hLock holding ExclusiveLock
+    video <- started coder (folder </> "animation.mp4")
+    hClose holding
+    bracket locked hClose (`hTryLock` ExclusiveLock) `shouldReturn` True
+    abandonVideo video
   it "says so when there is no such program" . inFolder $ \folder -> do
-    outcome <- startVideo (folder </> "nothing") (plain Gif) 24 (folder </> "film.gif")
+    outcome <- startVideo (folder </> "nothing") (plain Gif) 24 (folder </> "animation.gif")
     either (const True) (const False) outcome `shouldBe` True
     leftOver folder `shouldReturn` []
   where

@@ -21,8 +21,8 @@ spec :: Spec
 spec = do
   it "makes each frame as render would make its scene" . inFolder $ \folder -> do
     writeFilm folder ["animation: {frames: 3, fps: 1, keyframes: {camera.azimuth: {0: 90, 2: 100}}}"]
-    quietly ["animate", folder </> "film.yaml", "-o", folder </> "%d.png"] `shouldReturn` ExitSuccess
-    quietly ["render", folder </> "film.yaml", "--azimuth", "95", "-o", folder </> "alone.png"] `shouldReturn` ExitSuccess
+    quietly ["animate", folder </> "animation.yaml", "-o", folder </> "%d.png"] `shouldReturn` ExitSuccess
+    quietly ["render", folder </> "animation.yaml", "--azimuth", "95", "-o", folder </> "alone.png"] `shouldReturn` ExitSuccess
     alone <- Bytes.readFile (folder </> "alone.png")
     Bytes.readFile (folder </> "1.png") `shouldReturn` alone
     first <- Bytes.readFile (folder </> "0.png")
@@ -30,14 +30,14 @@ spec = do
   it "makes frames with an open shutter that can be rendered from themselves" . inFolder $ \folder -> do
     writeFilm folder ["animation: {frames: 2, fps: 1, shutter: 0.5, shutter-samples: 3, keyframes: {camera.azimuth: {0: 90, 2: 100}, camera.roll: {0: 0, 2: 9}}}"]
     forM_ [".png", ".exr"] $ \extension -> do
-      quietly ["animate", folder </> "film.yaml", "-o", folder </> ("%d" ++ extension)] `shouldReturn` ExitSuccess
+      quietly ["animate", folder </> "animation.yaml", "-o", folder </> ("%d" ++ extension)] `shouldReturn` ExitSuccess
       quietly ["render", "--from", folder </> ("1" ++ extension), "-o", folder </> ("again" ++ extension)] `shouldReturn` ExitSuccess
       frame <- Bytes.readFile (folder </> ("1" ++ extension))
       Bytes.readFile (folder </> ("again" ++ extension)) `shouldReturn` frame
     quietly ["render", "--from", folder </> "1.png", "--tile", "1/2", "-o", folder </> "a.tile"] `shouldReturn` ExitFailure 3
   it "renders a shard, a range, and then the rest" . inFolder $ \folder -> do
     writeFilm folder ["animation: {frames: 5, camera-path: {kind: orbit}}"]
-    let frames arguments = quietly (["animate", folder </> "film.yaml", "-o", folder </> "f" </> "%d.png"] ++ arguments)
+    let frames arguments = quietly (["animate", folder </> "animation.yaml", "-o", folder </> "f" </> "%d.png"] ++ arguments)
         there = filter ((/= '.') . headOr '.') <$> listDirectory (folder </> "f")
     frames ["--shard", "2/3"] `shouldReturn` ExitSuccess
     there >>= (`shouldMatchList` ["1.png", "4.png"])
@@ -51,7 +51,7 @@ spec = do
   it "goes on after a frame that cannot be written, and says so by its exit code" . inFolder $ \folder -> do
     writeFilm folder ["animation: {frames: 3}"]
     createDirectoryIfMissing True (folder </> "f" </> "1.png")
-    quietly ["animate", folder </> "film.yaml", "-o", folder </> "f" </> "%d.png"] `shouldReturn` ExitFailure 5
+    quietly ["animate", folder </> "animation.yaml", "-o", folder </> "f" </> "%d.png"] `shouldReturn` ExitFailure 5
     mapM (\n -> doesFileExist (folder </> "f" </> (show n ++ ".png"))) [0 :: Int, 1, 2] `shouldReturn` [True, False, True]
   describe "mistakes" $ do
     fails 3 [] ["animation: {frames: 3, fsp: 3}"]
@@ -63,32 +63,32 @@ spec = do
     fails 2 ["--frame-range", "3"] ["animation: {frames: 3}"]
     fails 2 ["--frame-range", "2-1"] ["animation: {frames: 3}"]
     fails 2 ["--shard", "4/3"] ["animation: {frames: 3}"]
-    fails 2 ["--video", "film.avi"] ["animation: {frames: 3}"]
-    fails 2 ["--video", "film.mp4", "--shard", "1/3"] ["animation: {frames: 3}"]
+    fails 2 ["--video", "animation.avi"] ["animation: {frames: 3}"]
+    fails 2 ["--video", "animation.mp4", "--shard", "1/3"] ["animation: {frames: 3}"]
     fails 2 ["--threads", "0"] ["animation: {frames: 3}"]
     fails 2 ["--stale-after", "0"] ["animation: {frames: 3}"]
     it "says what is wrong with many frames once" $
-      case resolveFilm (SceneOptions (Just "f.yaml") Nothing []) (Just (Char8.pack "animation: {frames: 48, keyframes: {camera.distance: {0: 10, 1: 0.5}}}")) of
-        Right (Just film) -> map (takeWhile (/= ':')) (frameFaults film [0 .. 47]) `shouldBe` ["frame 23", "frames 24-47"]
-        other -> expectationFailure (either unlines (const "no film") other)
-    it "puts the scene's mistakes beside the film's" $
-      case resolveFilm (SceneOptions (Just "f.yaml") Nothing []) (Just (Char8.pack "camera: {roll: left}\nanimation: {frames: 0}")) of
+      case resolveAnimation (SceneOptions (Just "f.yaml") Nothing []) (Just (Char8.pack "animation: {frames: 48, keyframes: {camera.distance: {0: 10, 1: 0.5}}}")) of
+        Right (Just animation) -> map (takeWhile (/= ':')) (frameFaults animation [0 .. 47]) `shouldBe` ["frame 23", "frames 24-47"]
+        other -> expectationFailure (either unlines (const "no animation") other)
+    it "puts the scene's mistakes beside the animation's" $
+      case resolveAnimation (SceneOptions (Just "f.yaml") Nothing []) (Just (Char8.pack "camera: {roll: left}\nanimation: {frames: 0}")) of
         Left problems -> map (takeWhile (/= ' ')) problems `shouldBe` ["f.yaml:1:", "f.yaml:2:"]
         Right _ -> expectationFailure "taken"
-  describe "adjustFilm" $ do
-    it "keeps a film's length at another rate" $ adjusted ["--fps", "48"] `shouldBe` Just (96, 48)
+  describe "adjustAnimation" $ do
+    it "keeps an animation's length at another rate" $ adjusted ["--fps", "48"] `shouldBe` Just (96, 48)
     it "takes another length" $ adjusted ["--duration", "0.5"] `shouldBe` Just (12, 24)
     it "takes both" $ adjusted ["--duration", "3", "--fps", "10"] `shouldBe` Just (30, 10)
-    it "leaves the film alone otherwise" $ adjusted [] `shouldBe` Just (48, 24)
+    it "leaves the animation alone otherwise" $ adjusted [] `shouldBe` Just (48, 24)
   where
     inFolder = withSystemTempDirectory "blackhole-spec"
-    writeFilm folder text = writeFile (folder </> "film.yaml") (unlines (["image: {width: 16}", "sampling: {samples: 1}", "physics: {gravity: false}", "disk: {present: false}", "sky: {kind: grid}"] ++ text))
+    writeFilm folder text = writeFile (folder </> "animation.yaml") (unlines (["image: {width: 16}", "sampling: {samples: 1}", "physics: {gravity: false}", "disk: {present: false}", "sky: {kind: grid}"] ++ text))
     headOr = foldr const
     fails code arguments text =
       it (unwords ("animate" : arguments ++ text) ++ " exits with " ++ show code ++ " and writes nothing") . inFolder $ \folder -> do
         writeFilm folder text
-        quietly (["animate", folder </> "film.yaml", "-o", folder </> "%d.png"] ++ arguments) `shouldReturn` ExitFailure code
-        filter (not . ("film" `isPrefixOf`)) <$> listDirectory folder `shouldReturn` []
+        quietly (["animate", folder </> "animation.yaml", "-o", folder </> "%d.png"] ++ arguments) `shouldReturn` ExitFailure code
+        filter (not . ("animation" `isPrefixOf`)) <$> listDirectory folder `shouldReturn` []
     adjusted arguments =
-      (\options -> let film = adjustFilm options (stillFilm defaultScene) in (filmFrames film, filmRate film))
+      (\options -> let animation = adjustAnimation options (stillAnimation defaultScene) in (animationFrames animation, animationRate animation))
         <$> getParseResult (execParserPure defaultPrefs (info (animateOptions (pure ())) mempty) arguments)

@@ -8,7 +8,7 @@ import BlackHole.Cli.Options
 import BlackHole.Cli.SceneOptions
 import BlackHole.Image.Coding
 import BlackHole.Image.File
-import BlackHole.Image.Metadata (Label (..))
+import BlackHole.Image.Metadata (Metadata (..))
 import BlackHole.Image.Panorama (readPanorama)
 import BlackHole.Light.Display
 import BlackHole.Light.Dither
@@ -28,6 +28,7 @@ import qualified Data.ByteString.Char8 as Characters
 import qualified Data.ByteString.Lazy as Lazy
 import Data.List (intercalate)
 import qualified Data.Vector.Storable as Vector
+import Support.Exposing
 import Support.Program (quietly)
 import System.Exit (ExitCode (..))
 import System.FilePath ((</>))
@@ -78,20 +79,20 @@ spec = do
             withLittleWork $
               if name == "a.tile"
                 then either length (const 0) <$> openTiles [folder </> "damaged.tile"]
-                else evaluate (maybe 0 (length . labelAnswer) (fileLabel damaged))
+                else evaluate (maybe 0 (length . metadataAnswer) (fileMetadata damaged))
           outcome `shouldSatisfy` maybe False (>= 0)
-  it "takes at most 1024 scenes from a picture with motion blur, in every format" $ do
+  it "takes at most 1024 scenes from the metadata of a picture with motion blur, in every format" $ do
     let film = pixelShape 2 2 3 >>= (`fromPixelVector` Vector.replicate 12 0.5)
-        written format text = join <$> traverse (encodeFile oneWorker format (Label "b" defaultCoding text) development noLayers) film
-        development = Development (Exposure 0) ToneFilm NoDither
+        written format text = join <$> traverse (encoded oneWorker format (Metadata "b" defaultCoding text) development noLayers) film
+        development = Development (Exposure 0) ToneFilm noGrain NoDither
         lineCount = length (Characters.lines sceneBytes)
         forged n count = sceneBytes <> lined (("# moments " ++ show (n + 1)) : replicate n ("# moment with lines " ++ show count))
-        scenesIn = either (const 0) length . resolveLabel (SceneOptions Nothing Nothing []) "a.png"
+        scenesIn = either (const 0) length . resolveMetadata (SceneOptions Nothing Nothing []) "a.png"
         cases = [(forged 1 lineCount, 2), (forged 1023 lineCount, 1024), (forged 1024 lineCount, 0), (forged 1023 (1000000 :: Int), 0)]
     map (scenesIn . fst) cases `shouldBe` map snd cases
     forM_ ((,) <$> [minBound .. maxBound] <*> map fst cases) $ \(format, text) -> do
       file <- written format text
-      (labelScene <$> (fileLabel . Lazy.toStrict =<< file)) `shouldBe` Just text
+      (metadataScene <$> (fileMetadata . Lazy.toStrict =<< file)) `shouldBe` Just text
   forM_ panoramas $ \(name, whole) ->
     it ("answers damaged panoramas with little work and memory: " ++ name) $
       withSystemTempDirectory "blackhole-spec" $ \folder ->
@@ -122,7 +123,7 @@ spec = do
     argumentsAnswer arguments = case parseArguments "v" arguments of
       Run (Render options) -> either unlines show (resolveScene (renderScene options) Nothing)
       other -> show other
-    labelAnswer found = either unlines show (resolveLabel (SceneOptions Nothing Nothing []) "a.png" (labelScene found))
+    metadataAnswer found = either unlines show (resolveMetadata (SceneOptions Nothing Nothing []) "a.png" (metadataScene found))
     fileAnswer bytes = either unlines show (resolveScene (SceneOptions (Just "a.yaml") Nothing []) (Just bytes))
     lined = Characters.pack . unlines
     sceneBytes = Characters.pack (printScene [] defaultScene)

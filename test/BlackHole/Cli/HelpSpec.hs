@@ -1,6 +1,6 @@
 module BlackHole.Cli.HelpSpec (spec) where
 
-import qualified BlackHole.Animation.AnimationFile as FilmFile
+import qualified BlackHole.Animation.AnimationFile as AnimationFile
 import BlackHole.Cli.Help
 import BlackHole.Cli.Options
 import BlackHole.Scene.Field.Field
@@ -24,7 +24,7 @@ spec = do
     it "of scene lists the commands inside it" $
       mapM_ (\name -> text ["help", "scene"] `shouldSatisfy` isInfixOf ("  " ++ name)) (filter ("scene " `isPrefixOf`) commands)
     it "on films lists every key of the section animation" $
-      mapM_ (\name -> text ["help", "animation"] `shouldSatisfy` isInfixOf ("  " ++ name)) (map FilmFile.entryName (FilmFile.filmEntries ++ FilmFile.pathEntries ++ FilmFile.trackEntries) ++ ["camera-path", "keyframes"])
+      mapM_ (\name -> text ["help", "animation"] `shouldSatisfy` isInfixOf ("  " ++ name)) (map AnimationFile.keyName (AnimationFile.animationKeys ++ AnimationFile.cameraPathKeys ++ AnimationFile.keyframeKeys) ++ ["camera-path", "keyframes"])
     it "points to no file of the repository" $
       mapM_ (\word -> text ("help" : words word) `shouldSatisfy` not . isInfixOf "docs/") (commands ++ topicNames)
     it "lists every topic and command" $

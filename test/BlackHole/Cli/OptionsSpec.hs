@@ -55,7 +55,7 @@ spec = do
     misused ["render", "one.yaml", "stray"] ["stray"]
   it "an unknown preset is told with the nearest name" $
     scene ["--preset", "reprot"]
-      `shouldBe` Left ["--preset: reprot is not a preset (did you mean report?); the presets are: default, report, interstellar, edge-on, face-on, luminet, lens-only, photon-ring, falling, kerr"]
+      `shouldBe` Left ["--preset: reprot is not a preset (did you mean report?); the presets are: default, report, interstellar, edge-on, face-on, luminet, lens-only, photon-ring, falling, m87, kerr"]
   it "two ways to place the camera clash" $
     scene ["--position", "0,1,9", "--distance", "4"]
       `shouldBe` Left ["--position, --look-at: cannot be combined with --distance, --inclination or --azimuth"]

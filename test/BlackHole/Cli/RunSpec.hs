@@ -1,8 +1,8 @@
 module BlackHole.Cli.RunSpec (spec) where
 
 import BlackHole.Cli.Run
-import BlackHole.Image.File (fileLabel)
-import BlackHole.Image.Metadata (Label (..))
+import BlackHole.Image.File (fileMetadata)
+import BlackHole.Image.Metadata (Metadata (..))
 import BlackHole.Light.Radiance (luminance)
 import qualified BlackHole.Light.Radiance as Radiance
 import Codec.Picture
@@ -71,7 +71,7 @@ spec = do
             exr = folder </> "b.exr"
         codes <- mapM quietly [["render", "--width", "24", "--bits", "16", "-o", png], ["render", "--from", png, "--seed", "9", "-o", exr]]
         codes `shouldBe` [ExitSuccess, ExitSuccess]
-        text <- maybe "" (Characters.unpack . labelScene) . fileLabel <$> Bytes.readFile exr
+        text <- maybe "" (Characters.unpack . metadataScene) . fileMetadata <$> Bytes.readFile exr
         lines text `shouldContain` ["  seed: 9"]
         lines text `shouldContain` ["  width: 24"]
   describe "success" $ do

@@ -28,7 +28,7 @@ spec = do
     fmap neededPicture (resolveScene (SceneOptions (Just "b.yaml") Nothing []) (Just yaml)) `shouldBe` Right (Just "it's.png")
     fmap neededPicture (resolveScene (SceneOptions (Just "a/b.yaml") Nothing []) (Just (Characters.pack "sky: {kind: /x/y.png}"))) `shouldBe` Right (Just "/x/y.png")
     fmap neededPicture (resolveScene (SceneOptions (Just "a/b.yaml") Nothing [Setting "sky.kind" (FileValue "z.png")]) (Just yaml)) `shouldBe` Right (Just "z.png")
-    fmap (fmap neededPicture) (resolveLabel (SceneOptions Nothing Nothing []) "a/b.png" yaml) `shouldBe` Right (Just "it's.png" :| [])
+    fmap (fmap neededPicture) (resolveMetadata (SceneOptions Nothing Nothing []) "a/b.png" yaml) `shouldBe` Right (Just "it's.png" :| [])
   it "keeps the turn when another file takes the place, and needs no file for checks" $ do
     let made file = applySettings [Setting "sky.kind" (FileValue file), Setting "sky.rotation" (NumberValue 30)]
     sceneSky (applySettings [Setting "sky.kind" (FileValue "b.png")] (made "a.png" defaultScene)) `shouldBe` sceneSky (made "b.png" defaultScene)

@@ -37,8 +37,8 @@ spec = do
               ("inspect 0.25 1", Inspect 0.25 1),
               ("command", AskCommand),
               ("save-scene keep my scene.yaml", SaveScene KeepFile "my scene.yaml"),
-              ("film 5 24 smooth\nkey 0\ncamera.fov 30\nkey 2.5\ncamera.fov 20", DefineFilm (Timeline 5 24 Smooth [Key 0 [Setting "camera.fov" (NumberValue 30)], Key 2.5 [Setting "camera.fov" (NumberValue 20)]])),
-              ("save-film replace film.yaml", SaveFilm ReplaceFile "film.yaml"),
+              ("animation 5 24 smooth\nkey 0\ncamera.fov 30\nkey 2.5\ncamera.fov 20", DefineAnimation (Timeline 5 24 Smooth [Key 0 [Setting "camera.fov" (NumberValue 30)], Key 2.5 [Setting "camera.fov" (NumberValue 20)]])),
+              ("save-animation replace animation.yaml", SaveAnimation ReplaceFile "animation.yaml"),
               ("scrub 11 2.5", Scrub 11 2.5),
               ("render keep hole.png", RenderFile KeepFile "hole.png"),
               ("cancel", CancelRender)
@@ -90,7 +90,7 @@ mixture = do
   where
     word =
       oneof
-        [ elements ["window", "drawn", "change", "restore", "preset", "orbit", "approach", "look", "roll", "face", "inspect", "save-scene", "film", "key", "scrub", "render", "keep", "replace", "smooth"],
+        [ elements ["window", "drawn", "change", "restore", "preset", "orbit", "approach", "look", "roll", "face", "inspect", "save-scene", "animation", "key", "scrub", "render", "keep", "replace", "smooth"],
           elements (map fieldPath sceneFields),
           elements ["0", "1", "-1", "1e9", "1e9999", "1e99999999", "nan", "inf", "", "-", "99999999999999999999999", "0x10", "1,2,3"],
           show <$> (arbitrary :: Gen Double),

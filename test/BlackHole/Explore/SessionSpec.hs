@@ -42,8 +42,8 @@ spec = do
       frames <- framesUntilFinished page
       (frameStage (head frames), Bytes.take 2 (framePicture (head frames))) `shouldBe` (0, "\xff\xd8")
       let scene = defaultScene {scenePicture = Picture 48 27}
-      exposed <- exposeCounted Nothing oneWorker (const (pure ())) scene (0, 27)
-      expected <- maybe (pure Nothing) (finishFilm oneWorker "test" Png defaultCoding (scene :| [])) exposed
+      exposed <- exposeFilm Nothing oneWorker (const (pure ())) scene (0, 27)
+      expected <- maybe (pure Nothing) (pictureBytes oneWorker "test" Png defaultCoding (scene :| [])) exposed
       Just (Lazy.fromStrict (framePicture (last frames))) `shouldBe` expected
   it "refines to the same bytes whatever came before" $
     withPage $ \page -> do
@@ -88,7 +88,7 @@ spec = do
       say page "render keep ../hole.png"
       reply page "is not a plain name"
       say page "scrub 5 1"
-      reply page "there is no film"
+      reply page "there is no animation"
   it "saves and renders, with the bytes of the command line" $
     withPage $ \page -> do
       say page "change 1\nimage.width 32"
@@ -101,8 +101,8 @@ spec = do
       reply page "\"state\": \"done\""
       written <- Lazy.readFile "hole.png"
       let scene = defaultScene {scenePicture = Picture 32 18}
-      exposed <- exposeCounted Nothing oneWorker (const (pure ())) scene (0, 18)
-      expected <- maybe (pure Nothing) (finishFilm oneWorker "test" Png defaultCoding (scene :| [])) exposed
+      exposed <- exposeFilm Nothing oneWorker (const (pure ())) scene (0, 18)
+      expected <- maybe (pure Nothing) (pictureBytes oneWorker "test" Png defaultCoding (scene :| [])) exposed
       Just written `shouldBe` expected
   it "keeps the scenes of two pages apart" $
     withPage $ \one -> do

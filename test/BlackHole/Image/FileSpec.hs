@@ -21,6 +21,7 @@ import Data.Maybe (fromMaybe, isNothing, mapMaybe)
 import qualified Data.Vector.Storable as Vector
 import Data.Word (Word16)
 import GHC.Float (castFloatToWord32)
+import Support.Exposing
 import Support.Tool
 import System.FilePath ((</>))
 import System.IO.Temp (withSystemTempDirectory)
@@ -31,12 +32,12 @@ spec :: Spec
 spec = do
   describe "every format" $
     forM_ kinds $ \(path, coding) -> describe (path ++ maybe "" ((' ' :) . show) (codingBits coding)) $ do
-      it "holds its label, also with a long scene" $
+      it "holds its metadata, also with a long scene" $
         forM_ [scene, Bytes.concat (replicate 500 scene)] $ \text -> do
-          let label = labelled coding text
-          fmap (fileLabel . Lazy.toStrict) <$> encoded oneWorker path label `shouldReturn` Just (Just label)
+          let metadata = tagged coding text
+          fmap (fileMetadata . Lazy.toStrict) <$> coded oneWorker path metadata `shouldReturn` Just (Just metadata)
       it "has the same bytes for any number of workers" $ do
-        files <- mapM (\workers -> encoded workers path (labelled coding scene)) (mapMaybe workersFromCount [1, 2, 3])
+        files <- mapM (\workers -> coded workers path (tagged coding scene)) (mapMaybe workersFromCount [1, 2, 3])
         files `shouldSatisfy` all (\file -> [file] == take 1 files)
       it "is a picture of this size to ImageMagick or OpenImageIO" $
         inFile path coding $ \file ->
@@ -48,7 +49,7 @@ spec = do
               identify ["-format", "%w %h", file] `shouldReturn` Characters.pack (show width ++ " " ++ show height)
   describe "decoded" $ do
     it "PNG in 16 bits has every code, by JuicyPixels and by ImageMagick" $ do
-      codes <- toPixelVector <$> developFilmFinely oneWorker exposure ToneFilm film
+      codes <- toPixelVector <$> developFilmFinely oneWorker (Development exposure ToneFilm noGrain NoDither) 0 film
       inFile "a.png" (Coding (Just 16) Nothing) $ \file -> do
         picture <- decodePng <$> Bytes.readFile file
         case picture of
@@ -58,7 +59,7 @@ spec = do
           raw <- convert [file, "-depth", "16", "-endian", "MSB", "rgb:-"]
           words16 raw == Vector.toList codes `shouldBe` True
     it "TIFF in 16 bits has every code, by JuicyPixels and by ImageMagick" $ do
-      codes <- toPixelVector <$> developFilmFinely oneWorker exposure ToneFilm film
+      codes <- toPixelVector <$> developFilmFinely oneWorker (Development exposure ToneFilm noGrain NoDither) 0 film
       inFile "a.tif" defaultCoding $ \file -> do
         picture <- decodeTiff <$> Bytes.readFile file
         case picture of
@@ -69,8 +70,8 @@ spec = do
           words16 raw == Vector.toList codes `shouldBe` True
     it "JPEG is near the developed picture" $ do
       let gentle = arrayOf 3 (Vector.generate (3 * width * height) (\i -> fromIntegral ((i `quot` 3) `rem` width) / fromIntegral (width * (1 + i `rem` 3))))
-      codes <- toPixelVector <$> developFilm oneWorker exposure ToneFilm NoDither gentle
-      file <- encodeFile oneWorker Jpeg (labelled (Coding Nothing (Just 95)) scene) development noLayers gentle
+      codes <- toPixelVector <$> developFilm oneWorker (Development exposure ToneFilm noGrain NoDither) gentle
+      file <- encoded oneWorker Jpeg (tagged (Coding Nothing (Just 95)) scene) development noLayers gentle
       case convertRGB8 <$> maybe (Left "not encoded") (decodeJpeg . Lazy.toStrict) file of
         Right image -> do
           let differences = Vector.zipWith (\a b -> abs (fromIntegral a - fromIntegral b)) codes (imageData image) :: Vector.Vector Double
@@ -108,13 +109,13 @@ spec = do
             ]
             $ \line -> text `shouldSatisfy` isInfixOf line
     it "EXR is refused with layers that do not fit" $ do
-      let with layers = encodeFile oneWorker Exr (labelled defaultCoding scene) development layers film
+      let with layers = encoded oneWorker Exr (tagged defaultCoding scene) development layers film
           named names = Layers names (layerRow redshift)
       mapM (fmap isNothing . with . named) [["redshift"], ["redshift", "redshift"], ["R"], [""], [replicate 32 'a']]
         `shouldReturn` [False, True, True, True, True]
     it "EXR has NaN where a layer says nothing" $ do
       let short = Layers ["a"] (const (pure [Vector.fromList [7]]))
-      bytes <- encodeFile oneWorker Exr (labelled (Coding (Just 32) Nothing) scene) development short film
+      bytes <- encoded oneWorker Exr (tagged (Coding (Just 32) Nothing) scene) development short film
       withSystemTempDirectory "blackhole-spec" $ \folder -> do
         Lazy.writeFile (folder </> "a.exr") (fromMaybe Lazy.empty bytes)
         withTool "oiiotool" $ \tool -> do
@@ -133,8 +134,8 @@ spec = do
           let v = m * 2 ** e :: Float
               h = halfBits (castFloatToWord32 v)
            in all (\other -> abs (valueOf h - v) <= abs (valueOf other - v)) [h - 1, h + 1]
-  it "knows no label in other files" $
-    map (fileLabel . Characters.pack) ["", "P6 1 1 255", "#?RADIANCE\n\n", "\xff\xd8\xff\xda", "\137PNG\r\n\26\n", "II*\0\8\0\0\0\0\0"]
+  it "knows no metadata in other files" $
+    map (fileMetadata . Characters.pack) ["", "P6 1 1 255", "#?RADIANCE\n\n", "\xff\xd8\xff\xda", "\137PNG\r\n\26\n", "II*\0\8\0\0\0\0\0"]
       `shouldBe` replicate 6 Nothing
   where
     kinds =
@@ -147,15 +148,15 @@ spec = do
         ("a.exr", defaultCoding),
         ("a.exr", Coding (Just 32) Nothing)
       ]
-    labelled = Label "blackhole 1.2.3"
+    tagged = Metadata "blackhole 1.2.3"
     scene = Characters.pack "camera:\n  distance: 30\n\nname: caf\195\169\n"
     exposure = Exposure 0
-    development = Development exposure ToneFilm NoDither
-    encoded workers path label = case formatOf path of
+    development = Development exposure ToneFilm noGrain NoDither
+    coded workers path metadata = case formatOf path of
       Nothing -> pure Nothing
-      Just format -> encodeFile workers format label development redshift film
+      Just format -> encoded workers format metadata development redshift film
     inFile path coding action = withSystemTempDirectory "blackhole-spec" $ \folder -> do
-      bytes <- encoded oneWorker path (labelled coding scene)
+      bytes <- coded oneWorker path (tagged coding scene)
       case bytes of
         Nothing -> expectationFailure "not encoded"
         Just content -> Lazy.writeFile (folder </> path) content >> action (folder </> path)

@@ -2,8 +2,7 @@ module BlackHole.Image.GoldenSpec (spec) where
 
 import BlackHole.Image.Coding
 import BlackHole.Image.Metadata
-import BlackHole.Image.Png
-import BlackHole.Render.Film
+import BlackHole.Render.Layer (noLayers)
 import BlackHole.Render.Workers
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Disk
@@ -12,6 +11,7 @@ import BlackHole.Scene.Scene
 import BlackHole.Scene.Sky
 import BlackHole.Spacetime.Types
 import qualified Data.ByteString as Bytes
+import Support.Exposing
 import Support.Golden
 import Test.Hspec
 
@@ -31,10 +31,10 @@ spec = do
     small = sized defaultScene
     sized scene = scene {scenePicture = Picture 160 90, sceneSamples = 1}
     golden name scene = it name $ do
-      film <- exposeFilm oneWorker (const (pure ())) scene
+      film <- exposeWhole oneWorker scene
       case film of
         Nothing -> expectationFailure "the scene is not valid"
         Just exposed -> do
-          codes <- developFilm oneWorker (sceneExposure scene) (sceneToneMap scene) (sceneDither scene) exposed
-          file <- encodePng oneWorker (Label "blackhole" defaultCoding Bytes.empty) (Codes8 codes)
-          file `shouldMatchGolden` name
+          let development = sceneDevelopment scene
+          file <- encoded oneWorker Png (Metadata "blackhole" defaultCoding Bytes.empty) development noLayers exposed
+          maybe (expectationFailure "not encoded") (`shouldMatchGolden` name) file

@@ -15,16 +15,16 @@ import Test.QuickCheck
 spec :: Spec
 spec = do
   it "is the text itself for a single scene" $
-    joinMoments (Characters.pack "a: 1\n" :| []) `shouldBe` Characters.pack "a: 1\n"
+    joinBlurredScenes (Characters.pack "a: 1\n" :| []) `shouldBe` Characters.pack "a: 1\n"
   it "tells the lines that differ" $
-    lines (Characters.unpack (joinMoments (Characters.pack "a: 1\nb: 2\n" :| [Characters.pack "a: 1\nb: 3\n"])))
+    lines (Characters.unpack (joinBlurredScenes (Characters.pack "a: 1\nb: 2\n" :| [Characters.pack "a: 1\nb: 3\n"])))
       `shouldSatisfy` \told -> take 2 told == ["a: 1", "b: 2"] && drop 5 told == ["# moment with lines 2", "# 2:b: 3"]
   prop "gives all texts back" $
-    forAll ((:|) <$> text <*> listOf text) $ \texts -> splitMoments (joinMoments texts) === Right texts
-  it "takes as many scenes as a frame may have moments, and no more" $ do
+    forAll ((:|) <$> text <*> listOf text) $ \texts -> splitBlurredScenes (joinBlurredScenes texts) === Right texts
+  it "takes as many scenes as a frame may have shutter samples, and no more" $ do
     let scenes n = Characters.pack "a: 0\n" :| [Characters.pack ("a: " ++ show k ++ "\n") | k <- [2 .. n]]
-    splitMoments (joinMoments (scenes maximumMoments)) `shouldBe` Right (scenes maximumMoments)
-    splitMoments (joinMoments (scenes (maximumMoments + 1))) `shouldSatisfy` isLeft
+    splitBlurredScenes (joinBlurredScenes (scenes maximumBlurredScenes)) `shouldBe` Right (scenes maximumBlurredScenes)
+    splitBlurredScenes (joinBlurredScenes (scenes (maximumBlurredScenes + 1))) `shouldSatisfy` isLeft
   describe "refuses forged lists:" $
     forM_
       [ ("lines that are nowhere", "# moments 2\n# moment with lines 2\n"),
@@ -34,15 +34,15 @@ spec = do
         ("one scene", "# moments 1\n"),
         ("no number", "# moments x\n# moment with lines 1\n")
       ]
-      $ \(name, forged) -> it name $ splitMoments (Characters.pack ("a: 1\n" ++ forged)) `shouldSatisfy` isLeft
+      $ \(name, forged) -> it name $ splitBlurredScenes (Characters.pack ("a: 1\n" ++ forged)) `shouldSatisfy` isLeft
   it "refuses scenes of more than 16 MiB together" $ do
     let scene = Characters.unlines (replicate 20 (Characters.replicate 1023 'x'))
-    splitMoments (scene <> Characters.pack ("# moments 1000\n" ++ concat (replicate 999 "# moment with lines 20\n"))) `shouldSatisfy` isLeft
+    splitBlurredScenes (scene <> Characters.pack ("# moments 1000\n" ++ concat (replicate 999 "# moment with lines 20\n"))) `shouldSatisfy` isLeft
   -- Bytes that are allocated are the same on any machine.
   prop "takes memory in proportion to the text and 16 MiB" $
     forAll (Characters.unlines <$> listOf (elements junk)) $ \bytes -> ioProperty $ do
       allowance <- getAllocationCounter
-      size <- evaluate (either length (sum . fmap Bytes.length) (splitMoments bytes))
+      size <- evaluate (either length (sum . fmap Bytes.length) (splitBlurredScenes bytes))
       left <- getAllocationCounter
       pure (size <= 16777216 .&&. allowance - left < 1000 * fromIntegral (Bytes.length bytes) + 100000)
   where

@@ -1,6 +1,7 @@
 module BlackHole.Image.PngSpec (spec) where
 
 import BlackHole.Image.Coding
+import BlackHole.Image.Destination
 import BlackHole.Image.Metadata
 import BlackHole.Image.Png
 import BlackHole.Render.PixelArray
@@ -23,23 +24,19 @@ spec = do
   it "has the same bytes for any number of workers" $ do
     files <- traverse (\workers -> encoded workers 500 400) (mapMaybe workersFromCount [1, 2, 3])
     files `shouldSatisfy` all (\file -> take 1 files == [file])
-  it "has the same bytes made of bands, of which it asks for all rows once" $
+  it "asks for bands of all rows once, in order" $
     forM_ [(1, 1), (640, 360), (300, 3000), (90000, 7)] $ \(width, height) ->
       forM_ (mapMaybe workersFromCount [1, 3]) $ \workers -> do
-        whole <- encoded workers width height
-        written <- newIORef []
         asked <- newIORef []
         let bandOf range@(first, count) = do
               modifyIORef asked (range :)
               pure . Just $ \(from, rows) -> do
                 -- Of a band no other rows are to be had.
                 guard (from >= first && from + rows <= first + count)
-                shape <- pixelShape width rows 3
-                Codes8 <$> fromPixelVector shape (Vector.slice (3 * width * from) (3 * width * rows) (picture width height))
-        done <- maybe (pure False) (\shape -> encodePngBands workers label shape 1 bandOf (\bytes -> modifyIORef written (bytes :))) (pixelShape width height 3)
-        file <- readIORef written
+                codesOf width height (from, rows)
+        file <- inBands workers width height bandOf
         ranges <- readIORef asked
-        (done, Lazy.fromChunks (reverse file) == whole) `shouldBe` (True, True)
+        decodedPixels file == Just (width, height, picture width height) `shouldBe` True
         concat [[first .. first + count - 1] | (first, count) <- reverse ranges] `shouldBe` [0 .. height - 1]
   it "breaks off when a band or its rows are missing or have another shape or size" $
     forM_
@@ -50,21 +47,25 @@ spec = do
       ]
       $ \band -> do
         let bandOf = const (pure (const <$> band))
-        done <- maybe (pure True) (\shape -> encodePngBands oneWorker label shape 1 bandOf (const (pure ()))) (pixelShape 5 4 3)
+        done <- maybe (pure True) (\shape -> encodePng oneWorker metadata shape 1 bandOf (const (pure ()))) (pixelShape 5 4 3)
         done `shouldBe` False
   where
-    label = Label "spec" defaultCoding Bytes.empty
+    metadata = Metadata "spec" defaultCoding Bytes.empty
     roundTrip (width, height) = do
       file <- encoded oneWorker width height
-      case decodePng (Lazy.toStrict file) of
-        Right (ImageRGB8 (Image w h codes)) -> do
-          (w, h) `shouldBe` (width, height)
-          codes == picture width height `shouldBe` True
-        _ -> expectationFailure "this is no 8-bit RGB PNG"
-    encoded workers width height =
-      case pixelShape width height 3 >>= \shape -> fromPixelVector shape (picture width height) of
-        Just pixels -> encodePng workers label (Codes8 pixels)
-        Nothing -> Lazy.empty <$ expectationFailure "not a picture"
+      decodedPixels file == Just (width, height, picture width height) `shouldBe` True
+    encoded workers width height = inBands workers width height (const (pure (Just (codesOf width height))))
+    inBands workers width height bandOf = case pixelShape width height 3 of
+      Nothing -> Lazy.empty <$ expectationFailure "not a picture"
+      Just shape -> do
+        (complete, file) <- inMemory (encodePng workers metadata shape 1 bandOf . putBytes)
+        file <$ (complete `shouldBe` True)
+    codesOf width height (from, rows) = do
+      shape <- pixelShape width rows 3
+      Codes8 <$> fromPixelVector shape (Vector.slice (3 * width * from) (3 * width * rows) (picture width height))
+    decodedPixels file = case decodePng (Lazy.toStrict file) of
+      Right (ImageRGB8 (Image w h codes)) -> Just (w, h, codes)
+      _ -> Nothing
     -- Gradients, black, and something like noise.
     picture :: Int -> Int -> Vector.Vector Word8
     picture width height = Vector.generate (3 * width * height) code

@@ -27,7 +27,7 @@ spec = do
   it "says nothing of other projections" $
     map (packet . (\p -> (view 100 (40, 20)) {sceneProjection = p})) [Perspective, Fisheye] `shouldSatisfy` all isNothing
   it "tells the whole sphere from a part" $
-    [isWholeSphere (label scene) (w, h) | scene@Scene {scenePicture = Picture w h} <- [view 360 (40, 20), view 360 (40, 18), view 350 (40, 20)]]
+    [isWholeSphere (metadata scene) (w, h) | scene@Scene {scenePicture = Picture w h} <- [view 360 (40, 20), view 360 (40, 18), view 350 (40, 20)]]
       `shouldBe` [True, False, False]
   it "is in every format that has a place for it, for other programs to read" $
     -- OpenImageIO shows XMP of JPEG and TIFF, and the format's own mark of OpenEXR.
@@ -38,16 +38,16 @@ spec = do
     bytes <- file Png
     Characters.unpack (Lazy.toStrict bytes) `shouldSatisfy` isInfixOf "iTXtXML:com.adobe.xmp\0\0\0\0\0<?xpacket"
   where
-    packet scene@Scene {scenePicture = Picture width height} = Characters.unpack <$> spherePacket (label scene) (width, height)
+    packet scene@Scene {scenePicture = Picture width height} = Characters.unpack <$> spherePacket (metadata scene) (width, height)
     mentions parts = maybe False (\text -> all (`isInfixOf` text) parts)
-    label scene = pictureLabel "blackhole 1" defaultCoding (scene :| [])
+    metadata scene = pictureMetadata "blackhole 1" defaultCoding (scene :| [])
     information tool name = withSystemTempDirectory "blackhole-spec" $ \folder -> do
       bytes <- maybe (pure Lazy.empty) file (formatOf name)
       Lazy.writeFile (folder </> name) bytes
       Characters.unpack <$> toolOutput tool ["--info", "-v", folder </> name]
     file format = do
-      exposed <- exposeCounted Nothing oneWorker (const (pure ())) scene (0, 20)
-      maybe (pure Lazy.empty) (fmap (fromMaybe Lazy.empty) . finishFilm oneWorker "blackhole 1" format defaultCoding (scene :| [])) exposed
+      exposed <- exposeFilm Nothing oneWorker (const (pure ())) scene (0, 20)
+      maybe (pure Lazy.empty) (fmap (fromMaybe Lazy.empty) . pictureBytes oneWorker "blackhole 1" format defaultCoding (scene :| [])) exposed
       where
         scene = view 360 (40, 20)
 

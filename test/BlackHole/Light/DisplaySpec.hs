@@ -1,6 +1,7 @@
 module BlackHole.Light.DisplaySpec (spec) where
 
 import BlackHole.Light.Display
+import BlackHole.Light.Dither (Dither (..))
 import BlackHole.Light.Radiance
 import Support.Approx
 import Support.Generators
@@ -39,7 +40,7 @@ spec = do
       forAll arbitraryBoundedEnum $ \tone ->
         forAll (inRange (-3) 3) $ \stops ->
           forAll light $ \l ->
-            let Signal r g b = developSignal (developer (Exposure stops) tone) l
+            let Signal r g b = developSignal (developer (Development (Exposure stops) tone noGrain NoDither)) 0 0 l
                 Radiance r' g' b' = mapRadiance encodeSrgb (applyToneMap tone (expose (Exposure stops) l))
              in conjoin [closeTo 2e-5 e v | (e, v) <- [(r', r), (g', g), (b', b)]]
     it "survives any light" $
@@ -48,13 +49,13 @@ spec = do
           | tone <- [minBound ..],
             a <- strange,
             c <- strange,
-            let Signal r g b = developSignal (developer (Exposure 0) tone) (Radiance a c 0.2)
+            let Signal r g b = developSignal (developer (Development (Exposure 0) tone noGrain NoDither)) 0 0 (Radiance a c 0.2)
         ]
     it "shows light without end as the brightest there is" $
       sequence_
         [ minimum [r, g, b] `shouldBeWithin` (1e-12, 1)
           | tone <- [minBound ..],
-            let Signal r g b = developSignal (developer (Exposure 0) tone) (grey (1 / 0))
+            let Signal r g b = developSignal (developer (Development (Exposure 0) tone noGrain NoDither)) 0 0 (grey (1 / 0))
         ]
   where
     light = Radiance <$> inRange 0 5 <*> inRange 0 5 <*> inRange 0 5

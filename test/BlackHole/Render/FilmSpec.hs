@@ -15,6 +15,7 @@ import BlackHole.Trace.Estimate (estimateCount)
 import BlackHole.Trace.Pixel (tracer)
 import qualified Data.Vector.Storable as Vector
 import Data.Word (Word8)
+import Support.Exposing
 import Test.Hspec
 
 spec :: Spec
@@ -25,22 +26,22 @@ spec = do
     map (== one) others `shouldBe` [True, True, True]
     fmap (Vector.length . Vector.filter (> 100)) one `shouldSatisfy` maybe False (> 100)
   it "has no faulty pixel" $ do
-    film <- exposeFilm oneWorker (const (pure ())) small
+    film <- exposeWhole oneWorker small
     traverse (faultyPixels oneWorker) film `shouldReturn` Just (0, Nothing)
   it "does not trace an invalid scene" $ do
-    film <- exposeFilm oneWorker (const (pure ())) small {scenePicture = Picture 0 1}
+    film <- exposeWhole oneWorker small {scenePicture = Picture 0 1}
     traverse (faultyPixels oneWorker) film `shouldReturn` Nothing
   it "has the same light in a band as in the whole" $ do
-    whole <- exposeFilm oneWorker (const (pure ())) small
-    bands <- mapM (exposeRows oneWorker (const (pure ())) small) [(0, 5), (5, 1), (6, 21)]
+    whole <- exposeWhole oneWorker small
+    bands <- mapM (exposeBand oneWorker small) [(0, 5), (5, 1), (6, 21)]
     fmap (Vector.concat . map toPixelVector) (sequence bands) `shouldBe` fmap toPixelVector whole
   describe "adaptive sampling" $ do
     it "has the same light in a band as in the whole" $ do
-      whole <- exposeFilm oneWorker (const (pure ())) searching
-      bands <- mapM (exposeRows oneWorker (const (pure ())) searching) [(0, 11), (11, 1), (12, 15)]
+      whole <- exposeWhole oneWorker searching
+      bands <- mapM (exposeBand oneWorker searching) [(0, 11), (11, 1), (12, 15)]
       fmap (Vector.concat . map toPixelVector) (sequence bands) `shouldBe` fmap toPixelVector whole
     it "counts each pixel's samples as the pixel by itself does" $ do
-      exposed <- exposeCounted Nothing oneWorker (const (pure ())) searching (0, 27)
+      exposed <- exposeFilm Nothing oneWorker (const (pure ())) searching (0, 27)
       case (exposed, tracer searching) of
         (Just whole, Just traced) -> do
           let counts = Vector.concat (map (countsRow searching whole) [0 .. 26])
@@ -49,19 +50,19 @@ spec = do
           countsRow searching whole 27 `shouldBe` Vector.replicate 48 0
         _ -> expectationFailure "no film"
     it "has the same light in a band as in a whole of many" $ do
-      whole <- exposeFilm oneWorker (const (pure ())) tall
-      band <- exposeRows oneWorker (const (pure ())) tall (200, 100)
+      whole <- exposeWhole oneWorker tall
+      band <- exposeBand oneWorker tall (200, 100)
       fmap toPixelVector band `shouldBe` fmap (Vector.slice (3 * 8 * 200) (3 * 8 * 100) . toPixelVector) whole
     it "comes closer to a picture of 256 samples than as many samples spread evenly" $ do
       -- Both take the same time here (measured).
-      reference <- exposeFilm oneWorker (const (pure ())) even' {sceneSamples = 256}
-      evenly <- exposeFilm oneWorker (const (pure ())) even' {sceneSamples = 8}
-      adaptive <- exposeFilm oneWorker (const (pure ())) searching
+      reference <- exposeWhole oneWorker even' {sceneSamples = 256}
+      evenly <- exposeWhole oneWorker even' {sceneSamples = 8}
+      adaptive <- exposeWhole oneWorker searching
       case (,,) <$> reference <*> evenly <*> adaptive of
         Just (r, e, a) -> rmse a r `shouldSatisfy` (< 0.75 * rmse e r)
         Nothing -> expectationFailure "no film"
   it "has no band beyond the picture" $ do
-    bands <- mapM (exposeRows oneWorker (const (pure ())) small) [(-1, 5), (27, 1), (20, 8), (3, 0)]
+    bands <- mapM (exposeBand oneWorker small) [(-1, 5), (27, 1), (20, 8), (3, 0)]
     map (fmap toPixelVector) bands `shouldBe` [Nothing, Nothing, Nothing, Nothing]
 
 small :: Scene
@@ -87,5 +88,5 @@ developed :: Int -> IO (Maybe (Vector.Vector Word8))
 developed n = case workersFromCount n of
   Nothing -> pure Nothing
   Just workers -> withWorkers workers $ do
-    film <- exposeFilm workers (const (pure ())) small
-    traverse (fmap toPixelVector . developFilm workers (Exposure 0) ToneFilm BlueNoise) film
+    film <- exposeWhole workers small
+    traverse (fmap toPixelVector . developFilm workers (Development (Exposure 0) ToneFilm noGrain BlueNoise)) film

@@ -16,6 +16,7 @@ import BlackHole.Spacetime.Types (Spacetime (..))
 import BlackHole.Trace.EnvironmentMap
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified Data.Vector.Storable as Vector
+import Support.Exposing
 import Test.Hspec
 
 spec :: Spec
@@ -52,7 +53,7 @@ spec = do
     -- But for the fields, of which no ring has quarters.
     mean (Vector.zipWith (\x y -> abs (x - y)) a b) `shouldSatisfy` (< 2e-3)
   it "is not traced without its picture" $ do
-    film <- exposeFilm oneWorker (const (pure ())) (from 8 Static) {sceneSky = sky}
+    film <- exposeWhole oneWorker (from 8 Static) {sceneSky = sky}
     traverse (faultyPixels oneWorker) film `shouldReturn` Nothing
   where
     sky = SkyPanorama (panoramaOf "x")
@@ -76,7 +77,7 @@ spec = do
           XYZ x y z = posePosition (cameraPose (sceneCamera scene))
        in scene {sceneCamera = (sceneCamera scene) {cameraPose = LookAt (XYZ x y z) (XYZ (5 * x) (3 * y) (5 * z))}}
     unshifted scene = scene {sceneSky = sky, sceneShifts = Shifts False False}
-    exposed picture scene = maybe Vector.empty (channel . toPixelVector) <$> exposeFilmWithSky picture oneWorker (const (pure ())) scene
+    exposed picture scene = maybe Vector.empty (channel . toPixelVector . exposedLight) <$> exposeFilm picture oneWorker (const (pure ())) scene (allRows (scenePicture scene))
     channel light = Vector.generate (Vector.length light `quot` 3) (\i -> realToFrac (light Vector.! (3 * i)) :: Double)
     mean values = Vector.sum values / fromIntegral (max 1 (Vector.length values))
     deviation values = sqrt (mean (Vector.map (\v -> (v - mean values) ^ (2 :: Int)) values))

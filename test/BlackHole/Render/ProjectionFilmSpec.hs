@@ -19,6 +19,7 @@ import qualified BlackHole.Vector.XYZ as XYZ
 import Control.Monad (void)
 import Data.Maybe (fromMaybe)
 import Support.Approx
+import Support.Exposing
 import Support.Generators
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
@@ -79,8 +80,8 @@ spec = do
     mapM_
       ( \scene -> do
           let height = pictureHeight (scenePicture scene)
-          whole <- exposeFilm oneWorker (const (pure ())) scene
-          part <- exposeRows oneWorker (const (pure ())) scene (height - 3, 3)
+          whole <- exposeWhole oneWorker scene
+          part <- exposeBand oneWorker scene (height - 3, 3)
           void part `shouldBe` Just ()
           [(`filmRadianceAt` (c, r)) <$> part | c <- [0, 9, 63], r <- [0, 2]] `shouldBe` [(`filmRadianceAt` (c, height - 3 + r)) <$> whole | c <- [0, 9, 63], r <- [0, 2]]
       )
@@ -88,7 +89,7 @@ spec = do
   it "never sends a path that just misses the gas on an endless way" $ do
     -- Row 28 of this picture did.
     let scene = applySettings [Setting "camera.projection" (NameValue "fisheye"), Setting "camera.fov" (NumberValue 100), Setting "image.width" (WholeValue 64)] defaultScene {sceneSky = SkyNone}
-    film <- exposeRows oneWorker (const (pure ())) scene (28, 1)
+    film <- exposeBand oneWorker scene (28, 1)
     void film `shouldBe` Just ()
   it "chooses angle of view, height and bloom with the projection" $ do
     let with name = applySettings [Setting "camera.projection" (NameValue name), Setting "image.width" (WholeValue 400)] defaultScene {sceneBloom = 0.1}
@@ -109,7 +110,7 @@ spec = do
     outside c r = let d v = abs (fromIntegral v + 0.5 - 32) - 2 :: Double in d c * d c + d r * d r > 32 * 32
     filmRadianceAt film (c, r) = filmRadiance film c r
     lightOf scene = do
-      film <- exposeFilm oneWorker (const (pure ())) scene
+      film <- exposeWhole oneWorker scene
       pure (\c r -> maybe (0 / 0) luminance (film >>= \f -> filmRadiance f c r))
 
 -- | The radiance that arrives from a direction, by the point of the picture where it

@@ -12,6 +12,7 @@ import BlackHole.Scene.Scene
 import BlackHole.Scene.Sky
 import qualified BlackHole.Vector.XYZ as XYZ
 import Control.Monad (forM_)
+import Support.Exposing
 import Test.Hspec
 
 -- The thin ring at the edge of the shadow, a third of a pixel wide, of smooth gas seen
@@ -21,8 +22,8 @@ spec = do
   it "has an even photon ring with the default's samples" $ do
     light <- ring (above 30)
     -- It was 0.24, and the brightest place 4 times as bright as the darkest.
-    spread light `shouldSatisfy` (< 0.1)
-    maximum light / minimum light `shouldSatisfy` (< 2)
+    spread light `shouldSatisfy` (< 0.06)
+    maximum light / minimum light `shouldSatisfy` (< 1.5)
   it "keeps the ring's light with every filter: its mean is that of many samples everywhere" $
     forM_ [minBound .. maxBound] $ \kind -> do
       -- Without adaptive sampling no pixel is treated as one on the ring.
@@ -74,7 +75,7 @@ above distance =
 -- at 720 places around it.
 ring :: Scene -> IO [Double]
 ring scene = do
-  film <- exposeFilm oneWorker (const (pure ())) scene
+  film <- exposeWhole oneWorker scene
   let at x y = maybe (0 / 0) luminance (film >>= \f -> filmRadiance f x y)
       -- Between the middles of four pixels.
       between x y =

@@ -20,6 +20,7 @@ import BlackHole.Trace.StarCatalogue
 import BlackHole.Vector.XYZ (XYZ (..))
 import Data.Maybe (fromMaybe)
 import Support.Approx
+import Support.Exposing
 import Test.Hspec
 
 spec :: Spec
@@ -49,7 +50,7 @@ spec = do
   where
     width = 200 :: Int
     height = 112 :: Int
-    exposed count (Degrees beta) = exposeFilm oneWorker (const (pure ())) (scene count beta)
+    exposed count (Degrees beta) = exposeWhole oneWorker (scene count beta)
     scene count beta =
       defaultScene
         { sceneDisk = Nothing,

@@ -19,6 +19,7 @@ import qualified BlackHole.Vector.XYZ as XYZ
 import Control.Monad (forM_)
 import qualified Data.Vector.Storable as Vector
 import Support.Approx
+import Support.Exposing
 import Test.Hspec
 
 spec :: Spec
@@ -26,11 +27,11 @@ spec = do
   describe "the codes are those of the rendered picture" $
     forM_ scenes $ \(name, scene) ->
       it name $ do
-        exposed <- exposeFilm oneWorker (const (pure ())) scene
+        exposed <- exposeWhole oneWorker scene
         case (,) <$> exposed <*> tracer scene of
           Nothing -> expectationFailure "cannot be traced"
           Just (film, traced) -> do
-            picture <- developFilm oneWorker (sceneExposure scene) (sceneToneMap scene) (sceneDither scene) film
+            picture <- developFilm oneWorker (sceneDevelopment scene) film
             forM_ [(x, y) | x <- [0, 2 .. 7], y <- [0, 2 .. 4]] $ \(x, y) ->
               fmap ((\(r, g, b) -> [r, g, b]) . shownCodes . explainedShown) (explainPixel traced x y)
                 `shouldBe` (Vector.toList <$> pixelChannels picture x y)

@@ -22,6 +22,7 @@ import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.List (sortOn)
 import Support.Approx
+import Support.Exposing
 import Support.Generators
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
@@ -150,7 +151,7 @@ spec = do
 -- frame, with another direction above: degrees to the right and upwards.
 brightSpots :: Int -> XYZ -> XYZ -> Degrees -> Double -> IO [(Double, Double)]
 brightSpots count middle above (Degrees fov) rotation = do
-  film <- exposeFilm oneWorker (const (pure ())) scene
+  film <- exposeWhole oneWorker scene
   pure $ case film of
     Nothing -> []
     Just exposed ->

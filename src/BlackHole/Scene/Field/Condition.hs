@@ -31,7 +31,7 @@ settingConditions =
     ("disk.", "disk.present" `is` SwitchValue True),
     ("disk.arms.", above 0 "disk.arms.count"),
     ("disk.turbulence.", above 0 "disk.turbulence.strength"),
-    ("disk.turbulence.heat", Condition "disk.colour" "black-body or bolometric" (/= NameValue "hue-ramp")),
+    ("disk.turbulence.heat", Condition "disk.colour" "black-body, bolometric or synchrotron" (/= NameValue "hue-ramp")),
     ("disk.haze.height", above 0 "disk.haze.density"),
     ("sky.", "diagnostics.debug-textures" `is` SwitchValue False),
     ("sky.rotation", Condition "sky.kind" "stars or FILE" (\v -> v == NameValue "stars" || isFile v)),
@@ -41,6 +41,9 @@ settingConditions =
     ("sky.radiance", "sky.kind" `is` NameValue "uniform"),
     ("sky.stars.", "sky.kind" `is` NameValue "noise"),
     ("sky.points.", "sky.kind" `is` NameValue "random-stars"),
+    ("camera.aperture", "camera.projection" `is` NameValue "perspective"),
+    ("camera.focus", above 0 "camera.aperture"),
+    ("output.spike-light", above 0 "output.spikes"),
     ("sampling.noise", above 1 "sampling.samples"),
     ("sampling.most-samples", above 1 "sampling.samples"),
     ("sampling.most-samples", above 0 "sampling.noise")

@@ -26,6 +26,7 @@ import BlackHole.Spacetime.Kerr.Landmarks
 import qualified BlackHole.Spacetime.Observer as Observer
 import BlackHole.Spacetime.Types (Spacetime (..))
 import BlackHole.Vector.XYZ (XYZ (..))
+import qualified BlackHole.Vector.XYZ as XYZ
 import Data.List (intercalate)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, isJust)
@@ -82,6 +83,10 @@ sceneFields =
       `withOption` ("roll", "DEGREES"),
     number Camera "camera.fov" (angle (Above 0) (UpTo 360) "degrees") "Field of view across the width of the picture in degrees: below 180 in perspective, up to 360 in the other projections" (camera (part (inDegrees . cameraFieldOfView) (\v c -> c {cameraFieldOfView = Degrees v})))
       `withOption` ("fov", "DEGREES"),
+    number Camera "camera.aperture" (Quantity "a length" (From 0) (UpTo 1e4) radii) "Diameter of the lens in Schwarzschild radii, for depth of field; 0 for a pinhole. Setting it also focuses on the hole" aperturePart
+      `withOption` ("aperture", "R"),
+    number Camera "camera.focus" (Quantity "a distance" (Above 0) (UpTo 1e9) radii) "Distance along the line of sight at which the picture is sharp, in Schwarzschild radii" (part sceneFocus (\v s -> s {sceneFocus = v}))
+      `withOption` ("focus", "R"),
     choice Observer "camera.observer" "an observer" observers "Motion of the observer: static, zamo (without angular momentum, turning with the space around a rotating hole), orbiting, counter-orbiting, falling, or coordinate (aims by coordinate directions, like the design report)" (part sceneObserver (\v s -> s {sceneObserver = v}))
       `withOption` ("observer", "WHO"),
     whole Image "image.width" (1, maximumPictureSide) "pixels" "Width of the picture in pixels; also sets the height: to 9/16 of it, in a fisheye picture to the same, in an equirectangular one to half of it" widthPart
@@ -113,7 +118,7 @@ sceneFields =
     number Disk "disk.opacity" (Quantity "an optical depth" (From 0) (UpTo 1e6) "") "Optical depth of gas of full density over a path as long as the thickness" (disk (part Gas.diskOpacity (\v d -> d {Gas.diskOpacity = v})))
       `withOption` ("disk-opacity", "TAU"),
     number Disk "disk.brightness" (Quantity "a radiance" (From 0) (UpTo 1e9) "") "Radiance of opaque gas where it is brightest; 1 is display white at exposure 0" (disk (part Gas.diskBrightness (\v d -> d {Gas.diskBrightness = v}))),
-    choice Disk "disk.colour" "a way to colour the gas" [(RampGlow, "hue-ramp", "yellow inside to red outside, without physics"), (BlackBodyGlow, "black-body", "by its temperature"), (BolometricGlow, "bolometric", "all wavelengths together, without colour")] "Colour of the gas: black-body, bolometric (intensity over all wavelengths, without colour), or hue-ramp (yellow to red by radius, as in the design report, without physics)" glowPart,
+    choice Disk "disk.colour" "a way to colour the gas" [(RampGlow, "hue-ramp", "yellow inside to red outside, without physics"), (BlackBodyGlow, "black-body", "by its temperature"), (BolometricGlow, "bolometric", "all wavelengths together, without colour"), (SynchrotronGlow, "synchrotron", "radio waves of a thin flow, without colour")] "Colour of the gas: black-body, bolometric (intensity over all wavelengths, without colour), synchrotron (radio waves of an optically thin flow, without colour), or hue-ramp (yellow to red by radius, as in the design report, without physics)" glowPart,
     number Disk "disk.temperature" (Quantity "a temperature" (From 500) (UpTo 1e6) "kelvin") "Temperature of the gas in kelvin where it is hottest; makes the gas a black body" temperaturePart
       `withOption` ("temperature", "KELVIN"),
     number Disk "disk.time" (Quantity "a time" (From (-1e9)) (UpTo 1e9) "r_s/c") "Time up to which the gas has moved, in r_s/c (Schwarzschild radii over the speed of light)" (disk (part Gas.diskTime (\v d -> d {Gas.diskTime = v})))
@@ -167,8 +172,17 @@ sceneFields =
       `withOption` ("tone-map", "NAME"),
     switch Output "output.dither" "Whether to dither 8-bit files to prevent banding" (part ((== BlueNoise) . sceneDither) (\on s -> s {sceneDither = if on then BlueNoise else NoDither}))
       `withOption` ("dither", "on|off"),
+    number Output "output.beam" (Quantity "an angle" (From 0) (UpTo 90) "degrees") "Full width at half maximum, in degrees, of the Gaussian with which a radio telescope blurs the picture; 0 for none" (part sceneBeam (\v s -> s {sceneBeam = v}))
+      `withOption` ("beam", "DEGREES"),
     number Output "output.bloom" (Quantity "a fraction" (From 0) (UpTo 1) "of the light") "Fraction of the light that the lens scatters, 0 to 1" (part sceneBloom (\v s -> s {sceneBloom = v}))
       `withOption` ("bloom", "FRACTION"),
+    whole Output "output.spikes" (0, 64) "" "Number of straight edges of the aperture that make diffraction spikes: an even number makes as many spikes, an odd one twice as many; 0 for none" (part sceneSpikes (\v s -> s {sceneSpikes = v}))
+      `withOption` ("spikes", "N"),
+    number Output "output.spike-light" (Quantity "a fraction" (From 0) (UpTo 1) "of the light") "Fraction of the light in the spikes, 0 to 1" (part sceneSpikeLight (\v s -> s {sceneSpikeLight = v})),
+    number Output "output.grain" (Quantity "a length" (From 0) (UpTo 100) "thousandths of the width") "Diameter of the dots of ink that make up the picture, in thousandths of its width; 0 for continuous tones" (part sceneGrain (\v s -> s {sceneGrain = v}))
+      `withOption` ("grain", "SIZE"),
+    number Output "output.scale-bar" (Quantity "a length" (From 0) (UpTo 1e6) radii) "Length of a scale bar in the lower right corner, in Schwarzschild radii at the distance of the hole; 0 for none" (part sceneScaleBar (\v s -> s {sceneScaleBar = v}))
+      `withOption` ("scale-bar", "R"),
     switch Diagnostics "diagnostics.debug-textures" "Show checkerboards instead of the disk and the sky" (part sceneDebugTextures (\v s -> s {sceneDebugTextures = v}))
       `withFlag` ("debug-textures", SwitchValue True, "Show checkerboards instead of the disk and the sky")
   ]
@@ -214,6 +228,7 @@ sceneFields =
       ToneReinhard -> "low contrast"
       ToneAces -> "high contrast"
       ToneAgx -> "for very high dynamic range"
+      ToneRadio -> "luminance as false colour, black to orange to white"
 
 -- | A part that is always present.
 part :: (whole -> part) -> (part -> whole -> whole) -> Part whole part
@@ -241,6 +256,11 @@ projectionPart = part sceneProjection $ \projection s ->
               scenePicture = Picture width (projectionHeight projection width),
               sceneBloom = if projection == Equirectangular then 0 else sceneBloom s
             }
+
+-- Opening the lens focuses it on the hole; the focus's own setting comes later.
+aperturePart :: Part Scene Double
+aperturePart = part sceneAperture $ \v s ->
+  s {sceneAperture = v, sceneFocus = if v > 0 then XYZ.norm (posePosition (cameraPose (sceneCamera s))) else sceneFocus s}
 
 camera :: Part Camera a -> Part Scene a
 camera = inside (part sceneCamera (\c s -> s {sceneCamera = c}))
@@ -321,17 +341,19 @@ disk :: Part Gas.Disk a -> Part Scene a
 disk = inside (Part sceneDisk (\d s -> s {sceneDisk = Just d}))
 
 -- | 'DiskColour' without its parameters.
-data Glow = RampGlow | BlackBodyGlow | BolometricGlow
+data ColourKind = RampGlow | BlackBodyGlow | BolometricGlow | SynchrotronGlow
   deriving (Eq)
 
-glowPart :: Part Scene Glow
+glowPart :: Part Scene ColourKind
 glowPart = disk (part (glowOf . Gas.diskColour) (\glow d -> d {Gas.diskColour = colourOf glow (Gas.diskColour d)}))
   where
     glowOf HueRamp = RampGlow
     glowOf (BlackBody _) = BlackBodyGlow
     glowOf Bolometric = BolometricGlow
+    glowOf Synchrotron = SynchrotronGlow
     colourOf RampGlow _ = HueRamp
     colourOf BolometricGlow _ = Bolometric
+    colourOf SynchrotronGlow _ = Synchrotron
     colourOf BlackBodyGlow colour@(BlackBody _) = colour
     colourOf BlackBodyGlow _ = BlackBody 2100
 

@@ -79,7 +79,7 @@ spec = do
     it "are told all at once, with line, path and nearest key" $
       parse "preset: reprot\nimage: {width: many}\ndisk:\n  iner: 3\n  thickness: 1000\n  arms: 3\n  opacity: \"3\"\ninclination: 30\ncamera:\n  position: [0, 1]\n  roll: 3\n  roll: 4\n"
         `shouldBe` Left
-          [ "s.yaml:1: preset: 'reprot' is not a preset (did you mean report?); the choices are: default, report, interstellar, edge-on, face-on, luminet, lens-only, photon-ring, falling, kerr",
+          [ "s.yaml:1: preset: 'reprot' is not a preset (did you mean report?); the choices are: default, report, interstellar, edge-on, face-on, luminet, lens-only, photon-ring, falling, m87, kerr",
             "s.yaml:2: image.width: 'many' is not a whole number",
             "s.yaml:4: disk.iner: 'iner' is not a setting of disk (did you mean inner?)",
             "s.yaml:5: disk.thickness: 1000 is not a length from 0.0001 to 100 (Schwarzschild radii)",
