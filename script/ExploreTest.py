@@ -302,7 +302,7 @@ def controls(program, page):
     count = page.js('return document.querySelectorAll("#presets img").length')
     until('every preset has a picture', lambda: page.js(
         'document.querySelectorAll("#presets img").forEach(i => { i.loading = "eager" });'
-        'return [...document.querySelectorAll("#presets img")].every(i => i.complete && i.naturalWidth === 240)') and count == 10, 120)
+        'return [...document.querySelectorAll("#presets img")].every(i => i.complete && i.naturalWidth === 240)') and count >= 10, 300)
     page.click('#presets button[data-name="luminet"]')
     until('a click on a preset shows it', lambda: page.value('disk.colour') == 'bolometric')
     page.js('choosePanel("settings")')

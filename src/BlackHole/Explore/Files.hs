@@ -44,6 +44,4 @@ readableFile name
   | isAbsolute name || ".." `elem` splitDirectories name = pure False
   | otherwise = do
     outcome <- try ((,) <$> canonicalizePath "." <*> canonicalizePath name)
-    pure $ case outcome of
-      Left failure -> const False (failure :: IOException)
-      Right (here, there) -> splitDirectories here `isPrefixOf` splitDirectories there
+    pure (either (const False :: IOException -> Bool) (\(here, there) -> splitDirectories here `isPrefixOf` splitDirectories there) outcome)

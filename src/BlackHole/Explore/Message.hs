@@ -107,7 +107,7 @@ messageOf first rest = case first of
       "keep" -> Right KeepFile
       "replace" -> Right ReplaceFile
       _ -> Left ("neither keep nor replace: " ++ shown how)
-    fileName name = case intercalate " " name of
+    fileName name = case unwords name of
       "" -> Left "a file needs a name"
       text -> Right text
     interpolation way = maybe (Left ("no interpolation: " ++ shown way)) Right (lookup way interpolations)

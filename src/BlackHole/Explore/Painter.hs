@@ -30,8 +30,9 @@ import Control.Concurrent (threadDelay)
 import Control.Concurrent.Async
 import Control.Concurrent.STM
 import Control.Monad (forM_, when)
+import Data.Either (fromRight)
 import Data.IORef
-import Data.Maybe (isJust)
+import Data.Maybe (fromMaybe, isJust)
 import qualified Data.Vector.Storable as Vector
 import GHC.Clock (getMonotonicTime)
 
@@ -90,7 +91,7 @@ paint easel = go (Memory Nothing Nothing Nothing initialPace) (-1)
             Nothing -> easelRefuse easel (wantedInput wanted) "the scene cannot be traced" >> go memory' (wantedTurn wanted)
             Just (memory'', film) -> do
               outcome <- race (superseded wanted) (threadDelay restMicroseconds >> refine sky memory'' (wantedInput wanted) scene film)
-              go (either (const memory'') id outcome) (wantedTurn wanted)
+              go (fromRight memory'' outcome) (wantedTurn wanted)
     superseded wanted = atomically $ do
       w <- readTVar (easelWanted easel)
       check (wantedTurn w /= wantedTurn wanted)
@@ -195,9 +196,8 @@ filmSize film = Picture (shapeWidth (pixelArrayShape film)) (shapeHeight (pixelA
 
 -- | A film at another size, by repeating pixels.
 enlarged :: Film -> Picture -> Film
-enlarged film (Picture width height) = case pixelShape width height 3 >>= (`fromPixelVector` Vector.generate (3 * width * height) at) of
-  Just larger -> larger
-  Nothing -> film
+enlarged film (Picture width height) =
+  fromMaybe film (pixelShape width height 3 >>= (`fromPixelVector` Vector.generate (3 * width * height) at))
   where
     Picture width' height' = filmSize film
     light = toPixelVector film

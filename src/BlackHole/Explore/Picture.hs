@@ -18,8 +18,8 @@ import BlackHole.Image.Metadata
 import BlackHole.Image.Write
 import BlackHole.Light.Display (ToneMap (..))
 import BlackHole.Light.Dither (Dither (..))
-import BlackHole.Render.Optics
 import BlackHole.Render.Film
+import BlackHole.Render.Optics
 import BlackHole.Render.PixelArray
 import BlackHole.Render.PixelShape
 import BlackHole.Render.Shared (mapShared)

@@ -54,7 +54,7 @@ data Page = Page
 converse :: Hall -> Conversation -> IO ()
 converse hall conversation = bracket_ (count 1) (count (-1)) $ do
   lock <- newMVar ()
-  wanted <- newTVarIO (Wanted 0 0 (fst (hallStart hall)) (snd (hallStart hall)) Nothing)
+  wanted <- newTVarIO (uncurry (Wanted 0 0) (hallStart hall) Nothing)
   sent <- newTVarIO 0
   drawn <- newTVarIO 0
   animation <- newTVarIO Nothing
@@ -114,7 +114,7 @@ obey page message = case message of
         lost = [s | s <- settings, not (holds changed s)]
         reasons = [renderIdle InFile idle | idle <- idleSettings scene settings]
         problems =
-          [("'" ++ file ++ "' is not in the folder in which blackhole explore was started") | file <- forbidden]
+          ["'" ++ file ++ "' is not in the folder in which blackhole explore was started" | file <- forbidden]
             ++ (if null forbidden then map renderProblem (validateScene changed) else [])
     if null problems
       then do

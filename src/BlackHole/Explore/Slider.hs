@@ -8,7 +8,7 @@ where
 import BlackHole.Scene.Field.Field
 import BlackHole.Scene.Field.Kind
 import BlackHole.Scene.Preset
-import Data.Maybe (mapMaybe)
+import Data.Maybe (fromMaybe, mapMaybe)
 
 -- | The ends of a slider.
 data Slider
@@ -52,4 +52,4 @@ slider field = case fieldKind field of
       Endless -> Nothing
       UpTo v -> Just v
       Below v -> Just v
-    orElse v = maybe v id
+    orElse = fromMaybe

@@ -25,7 +25,7 @@ import BlackHole.Vector.XYZ (XYZ (..))
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Lazy as Lazy
 import Data.List (intercalate, nub, sortOn)
-import Data.Maybe (mapMaybe)
+import Data.Maybe (isJust, mapMaybe)
 
 -- | An animation in the making: its length in seconds, its frames per second, how values go
 -- from key to key, and the keys.
@@ -81,7 +81,7 @@ valueIn :: Field -> Key -> Maybe Value
 valueIn field key = lookup (fieldPath field) [(settingPath s, settingValue s) | s <- keySettings key]
 
 hasValue :: Field -> Key -> Bool
-hasValue field key = valueIn field key /= Nothing
+hasValue field key = isJust (valueIn field key)
 
 varies :: [Key] -> Field -> Bool
 varies keys field = length (nub (map (valueIn field) keys)) > 1

@@ -6,6 +6,7 @@ import BlackHole.Explore.CommandLine
 import BlackHole.Scene.Field.Kind
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Setting
+import Data.Maybe (fromMaybe)
 import Support.Generators
 import Test.Hspec
 import Test.QuickCheck
@@ -39,7 +40,7 @@ spec = do
     shellWord "./it's here.png" `shouldBe` "'./it'\\''s here.png'"
     shellWord "" `shouldBe` "''"
   where
-    scene name = maybe defaultScene id (findPreset name)
+    scene name = fromMaybe defaultScene (findPreset name)
     changes =
       [ Setting "camera.fov" (NumberValue 33),
         Setting "camera.roll" (NumberValue (-12.5)),

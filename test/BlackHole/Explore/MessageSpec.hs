@@ -86,7 +86,7 @@ mixture :: Gen String
 mixture = do
   first <- listOf word
   rest <- resize 5 (listOf (listOf word))
-  pure (concatMap (++ "\n") (unwords (take 6 first) : map (unwords . take 3) rest))
+  pure (unlines (unwords (take 6 first) : map (unwords . take 3) rest))
   where
     word =
       oneof

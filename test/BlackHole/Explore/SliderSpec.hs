@@ -5,27 +5,28 @@ import BlackHole.Scene.Field.Field
 import BlackHole.Scene.Field.Kind
 import BlackHole.Scene.Field.Table
 import BlackHole.Scene.Preset
+import Data.Maybe (isJust)
 import Test.Hspec
 
 spec :: Spec
 spec = do
   it "gives every number a slider, and nothing else" $
-    [fieldPath f | f <- sceneFields, (slider f /= Nothing) /= isNumber (fieldKind f)] `shouldBe` []
+    [fieldPath f | f <- sceneFields, isJust (slider f) /= isNumber (fieldKind f)] `shouldBe` []
   it "runs from a smaller to a greater value within the range" $
     [ fieldPath f
       | f <- sceneFields,
         Just bar <- [slider f],
         let (low, high) = ends bar,
-        not (low < high) || any (outside f) [low, high]
+        low >= high || any (outside f) [low, high]
     ]
       `shouldBe` []
   it "has room for the values of the presets on either side" $
     [ (fieldPath f, v)
       | f <- sceneFields,
         Just bar <- [slider f],
+        let (low, high) = ends bar,
         (_, scene) <- presets,
         Just v <- [fieldGet f scene >>= size],
-        let (low, high) = ends bar,
         v < low && not (fromZero bar && v >= 0) || v > high
     ]
       `shouldBe` []

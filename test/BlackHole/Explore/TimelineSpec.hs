@@ -12,20 +12,21 @@ import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Setting
 import qualified Data.ByteString.Char8 as Char8
+import Data.Either (fromLeft)
 import Test.Hspec
 
 spec :: Spec
 spec = do
   it "shows the keys at their times, and the middle between them" $ do
     let made = sequenceAnimation <$> sequenceOf (timeline Linear [key 0 defaultScene, key 2 nearer])
-        at seconds = fmap (cameraPose . sceneCamera) <$> ((`sceneAt` seconds) <$> animation)
+        at seconds = fmap (cameraPose . sceneCamera) <$> ((`sceneAt` seconds) <$> made)
     at 0 `shouldBe` Right (Right (Around 54 (Degrees 77) (Degrees 90)))
     at 2 `shouldBe` Right (Right (Around 20 (Degrees 77) (Degrees 110)))
     at 1 `shouldBe` Right (Right (Around 37 (Degrees 77) (Degrees 100)))
   it "takes the shorter way round" $ do
     let turnedTo a = change [("camera.azimuth", NumberValue a)]
-        animation = sequenceAnimation <$> sequenceOf (timeline Linear [key 0 (turnedTo 350), key 1 (turnedTo 10)])
-    (fmap (cameraPose . sceneCamera) <$> ((`sceneAt` 0.5) <$> animation)) `shouldBe` Right (Right (Around 54 (Degrees 77) (Degrees 360)))
+        made = sequenceAnimation <$> sequenceOf (timeline Linear [key 0 (turnedTo 350), key 1 (turnedTo 10)])
+    (fmap (cameraPose . sceneCamera) <$> ((`sceneAt` 0.5) <$> made)) `shouldBe` Right (Right (Around 54 (Degrees 77) (Degrees 360)))
   it "writes a file that the program reads as the same animation" $
     case sequenceOf (timeline Smooth [key 2 nearer, key 0 defaultScene, key 1.5 (change [("disk.time", NumberValue 40)])]) of
       Left faults -> expectationFailure (unlines faults)
@@ -45,4 +46,4 @@ spec = do
     key seconds scene = Key seconds (sceneSettings scene)
     change settings = applySettings [Setting path value | (path, value) <- settings] defaultScene
     nearer = change [("camera.distance", NumberValue 20), ("camera.azimuth", NumberValue 110)]
-    problems = either id (const [])
+    problems = fromLeft []
