@@ -14,6 +14,7 @@ module GasPlaces
 where
 
 import BlackHole.Noise.CachedNoise
+import BlackHole.Noise.Gradient
 import BlackHole.Noise.Lattice
 import BlackHole.Noise.PerlinG
 import BlackHole.Noise.Profile (normalised, octaves)
@@ -26,7 +27,6 @@ import BlackHole.Trace.Pixel
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
 import Control.DeepSeq (NFData (..))
-import Data.Functor.Identity (Identity (..))
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as Vector
 
@@ -98,9 +98,10 @@ hashedSheets amplitudes turns v height = go 0 (iterate (+ 2.399963229728653) 0.7
   where
     go :: Int -> [Double] -> [Double] -> Double -> Double
     go !i (tilt : tilts) (amplitude : rest) !sum' =
-      go (i + 1) tilts rest (sum' + amplitude * runIdentity (noise2With (Identity . hash) l (XY (place (8 * turns + cos tilt * height)) (place (v + sin tilt * height)))))
+      go (i + 1) tilts rest (sum' + amplitude * maybe 0 (inCell . cellAround2 l) (onGrid2 (XY (place (8 * turns + cos tilt * height)) (place (v + sin tilt * height)))))
       where
         l = clampedLevel (5 + i)
+        inCell cell = interpolate2 cell (cornerHashes2 hash cell)
         place x = 2 ^ i * x / cellsPerUnit l
         hash p = latticeHash2 (Seed 42) (latticePoint2 l ((pointX2 p - middleIndex l) `mod` (8 * 2 ^ i)) ((pointY2 p - middleIndex l) `mod` (32 * 2 ^ i)))
     go _ _ _ sum' = sum'

@@ -7,17 +7,19 @@ import BlackHole.Light.Dither
 import BlackHole.Light.Gamut
 import BlackHole.Light.Radiance
 import BlackHole.Light.ToneMap (ToneCurve (..), toneCurve)
+import BlackHole.Numeric.Angle (Degrees (..))
 import BlackHole.Render.Bloom
 import BlackHole.Render.Film
+import BlackHole.Render.Optics
 import BlackHole.Render.PixelArray
 import BlackHole.Render.PixelShape
 import BlackHole.Render.Workers
-import BlackHole.Scene.Camera (Picture (..))
-import BlackHole.Scene.Preset (defaultScene)
+import BlackHole.Scene.Camera (Camera (..), Picture (..), Pose (..))
+import BlackHole.Scene.Preset (defaultScene, findPreset)
 import BlackHole.Scene.Scene
 import Codec.Picture (Image (..), PixelRGB8, encodePng)
 import qualified Data.ByteString.Lazy as Lazy
-import Data.Maybe (fromMaybe)
+import Data.Maybe (fromMaybe, mapMaybe)
 import qualified Data.Vector.Storable as Vector
 import Data.Word (Word8)
 import System.Environment (getArgs)
@@ -43,12 +45,37 @@ main = do
     write folder "film-red.png" (inRows 1 [strip towardsWhite, strip desaturateIntoGamut])
     dithers <- mapM (\dither -> brightened . sheetOf <$> developFilm workers (Development (Exposure (-6)) ToneFilm noGrain dither) film) [NoDither, BlueNoise]
     write folder "film-dither.png" (inRows 2 dithers)
-    blooms <- mapM (\strength -> bloomFilm workers strength film >>= fmap sheetOf . developFilm workers (Development plain ToneFilm noGrain BlueNoise)) [0, 0.03, 0.1, 0.3]
+    blooms <- mapM (\strength -> bloomFilm workers strength film >>= fmap sheetOf . developFilm workers (Development plain ToneFilm noGrain BlueNoise)) [0, 0.08, 0.2, 0.5]
     write folder "film-bloom.png" (inRows 2 blooms)
+    instruments <- mapM (recorded workers) (instrumentScenes wide high)
+    write folder "film-instrument.png" (inRows 2 instruments)
   where
     plain = Exposure 0
     wide = 480
     high = 270
+
+-- | The scenes that show spikes, grain, beam and depth of field.
+instrumentScenes :: Int -> Int -> [Scene]
+instrumentScenes wide high =
+  [ scene {scenePicture = Picture wide high}
+    | scene <-
+        [defaultScene {sceneSpikes = 6, sceneSpikeLight = 0.2}]
+          ++ mapMaybe findPreset ["luminet", "m87"]
+          ++ [ defaultScene
+                 { sceneCamera = Camera (Around 20 (Degrees 82) (Degrees 90)) (Degrees (-8)) (Degrees 60),
+                   sceneAperture = 1.2,
+                   sceneFocus = 8,
+                   sceneSamples = 32,
+                   sceneMostSamples = 128
+                 }
+             ]
+  ]
+
+recorded :: Workers -> Scene -> IO Sheet
+recorded workers scene = do
+  exposed <- exposeFilm Nothing workers (const (pure ())) scene (0, pictureHeight (scenePicture scene))
+  film <- maybe (die "a scene cannot be traced") (opticsFilm workers scene . exposedLight) exposed
+  sheetOf <$> developFilm workers (sceneDevelopment scene) film
 
 sheetOf :: PixelArray Word8 -> Sheet
 sheetOf codes = Sheet width (shapeHeight shape) (\x y k -> Vector.unsafeIndex numbers (3 * (y * width + x) + k))

@@ -37,11 +37,11 @@ module BlackHole
   )
 where
 
-import BlackHole.Cli.SceneOptions (SceneOptions (..))
-import qualified BlackHole.Cli.SceneOptions as SceneOptions
-import BlackHole.Cli.SkyFile (SkyFile (..), loadSky)
 import BlackHole.Image.AtomicFile (renderWriteProblem, writeFileAtomically)
 import BlackHole.Image.Coding (Format, defaultCoding, formatExtensions, formatOf)
+import BlackHole.Image.Metadata (software)
+import BlackHole.Image.SceneSource (readSceneFile)
+import BlackHole.Image.SkyFile (SkyFile (..), loadSky)
 import BlackHole.Image.Write (pictureBytes)
 import BlackHole.Light.Radiance (Radiance (..))
 import BlackHole.Render.Film (Exposed (..), allRows, exposeFilm)
@@ -55,19 +55,23 @@ import BlackHole.Scene.Field.Table (currentPath, findField, sceneFields)
 import qualified BlackHole.Scene.File.SceneFile as SceneFile
 import BlackHole.Scene.Preset (defaultScene, findPreset, presetNames)
 import BlackHole.Scene.Problem (suggestion)
+import BlackHole.Scene.Resolve (Request (..), resolveRequest)
 import BlackHole.Scene.Scene (Scene (..))
 import BlackHole.Scene.Setting (Naming (..), Setting (..), applySettings, idleSettings, renderIdle)
 import BlackHole.Scene.Validate (renderProblem, validateScene)
 import Data.Either (partitionEithers)
 import Data.List (intercalate)
 import Data.List.NonEmpty (NonEmpty (..))
-import Data.Version (showVersion)
-import qualified Paths_blackhole as Package
+import System.FilePath (takeDirectory)
 
 -- | Reads a scene file, and the files it names. 'Left' holds one line per problem with
 -- the file, at least one.
 loadScene :: FilePath -> IO (Either [String] Scene)
-loadScene file = SceneOptions.loadScene (SceneOptions (Just file) Nothing [])
+loadScene file = do
+  contents <- readSceneFile file
+  pure $ do
+    bytes <- either (Left . pure) Right contents
+    resolveRequest (Request Nothing (Just (file, bytes)) (takeDirectory file) [])
 
 -- | A scene with changed settings: pairs of a name and a value, written as in a scene
 -- file, such as @(\"camera.inclination\", \"75\")@. The height follows the width unless
@@ -145,10 +149,6 @@ inFormat :: FilePath -> (Format -> IO (Either [String] a)) -> IO (Either [String
 inFormat file act = case formatOf file of
   Nothing -> pure (Left [file ++ ": not a file name that ends in " ++ intercalate ", " (map fst formatExtensions)])
   Just format -> act format
-
--- | Name and version of the program, as stored in its pictures.
-software :: String
-software = "blackhole " ++ showVersion Package.version
 
 withAllWorkers :: (Workers -> IO a) -> IO a
 withAllWorkers action = do

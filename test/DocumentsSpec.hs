@@ -2,9 +2,9 @@
 -- pictures), what they name exists, and the numbers they quote are those of the code.
 module DocumentsSpec (spec) where
 
+import BlackHole.Cli.ExitStatus (exitCode)
 import BlackHole.Cli.Help
 import BlackHole.Cli.Options (Parsed (..), commandHelps, formerOptions, parseArguments)
-import BlackHole.Cli.Run (exitCode)
 import BlackHole.Cli.SceneOptions (sceneOptions)
 import BlackHole.Scene.Field.Field
 import BlackHole.Scene.Field.Kind (showValue)

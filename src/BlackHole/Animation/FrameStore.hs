@@ -27,10 +27,10 @@ module BlackHole.Animation.FrameStore
   )
 where
 
-import BlackHole.Animation.Digest
 import BlackHole.Animation.FrameName
 import BlackHole.Animation.Lease
 import BlackHole.Image.AtomicFile (renderWriteProblem, writeFileAtomically)
+import BlackHole.Image.Digest
 import Control.Exception (IOException, catch, finally, onException)
 import Control.Monad (unless, when)
 import qualified Data.ByteString as Bytes

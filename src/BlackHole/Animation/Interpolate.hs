@@ -7,7 +7,6 @@ module BlackHole.Animation.Interpolate
     KeysProblem (..),
     renderKeysProblem,
     makeKeys,
-    keysList,
     valueAt,
     easedFraction,
     unwrapDegrees,
@@ -82,10 +81,6 @@ makeKeys (first : rest) = case problems of
         ++ [NotLater i | ((i, (t, _)), (before, _)) <- zip (drop 1 keys) (first : rest), t <= before]
         ++ [OtherDimension i | (i, (_, v)) <- keys, length v /= length (snd first)]
     notFinite x = isNaN x || isInfinite x
-
--- | The times and values.
-keysList :: Keys -> [(Double, [Double])]
-keysList (Keys keys) = NonEmpty.toList keys
 
 -- | The values at a time. Before the first key they are the first key's, after
 -- the last the last's; at a key they are exactly the key's own. Linear in the

@@ -1,11 +1,10 @@
--- | Progress of an animation as text and as a bar.
+-- | The progress of an animation: its counts, and as text.
 module BlackHole.Animation.Progress
   ( Tally (..),
     startTally,
     framesPerSecond,
     secondsLeft,
     progressLine,
-    progressBar,
     durationText,
     frameRanges,
   )
@@ -63,13 +62,6 @@ progressLine current tally =
       foldMap (\s -> ", " ++ durationText s ++ " left") (secondsLeft tally),
       if tallyFailed tally > 0 then ", " ++ show (tallyFailed tally) ++ " failed" else ""
     ]
-
--- | A bar with this many characters.
-progressBar :: Int -> Tally -> String
-progressBar width tally = "[" ++ replicate full '=' ++ replicate (width - full) ' ' ++ "]"
-  where
-    settled = fromIntegral (tallyFound tally + tallyRendered tally) + tallyPart tally
-    full = max 0 (min width (floor (fromIntegral width * settled / fromIntegral (max 1 (tallyFrames tally)) :: Double)))
 
 -- | Formats seconds as @M:SS@ or @H:MM:SS@.
 durationText :: Double -> String

@@ -8,9 +8,9 @@ module BlackHole.Animation.Queue
   )
 where
 
-import BlackHole.Animation.Digest
 import BlackHole.Animation.FrameStore
 import BlackHole.Animation.Lease
+import BlackHole.Image.Digest
 import Control.Concurrent (threadDelay)
 import Control.Exception (SomeAsyncException, SomeException, displayException, evaluate, finally, fromException, throwIO, try)
 import qualified Data.ByteString.Lazy as Lazy

@@ -11,7 +11,6 @@ module BlackHole.Animation.Shoot
 where
 
 import BlackHole.Animation.Animation
-import BlackHole.Animation.Digest
 import BlackHole.Animation.Exposure
 import BlackHole.Animation.FrameName
 import BlackHole.Animation.FrameStore
@@ -20,6 +19,7 @@ import BlackHole.Animation.Progress
 import BlackHole.Animation.Queue
 import BlackHole.Animation.Video (VideoCoding)
 import BlackHole.Animation.VideoFeed
+import BlackHole.Image.Digest
 import qualified BlackHole.Render.Film as Light
 import BlackHole.Render.Workers (Workers)
 import BlackHole.Scene.Scene

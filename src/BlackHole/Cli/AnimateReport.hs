@@ -1,7 +1,6 @@
 -- | What @blackhole animate@ reports while it runs and at its end.
 module BlackHole.Cli.AnimateReport
-  ( newTeller,
-    clearLine,
+  ( reportTo,
     summaryLine,
     faultLines,
     isWhole,
@@ -13,64 +12,35 @@ import BlackHole.Animation.Lease (holderName)
 import BlackHole.Animation.Progress
 import BlackHole.Animation.Queue (Outcome (..))
 import BlackHole.Animation.Shoot
-import BlackHole.Cli.Console (tell)
 import BlackHole.Cli.Json
-import BlackHole.Cli.Progress (ProgressMode (..))
+import BlackHole.Cli.Progress
 import BlackHole.Render.Workers (Workers, workersCount)
-import Control.Monad (when)
-import Data.IORef (newIORef, readIORef, writeIORef)
 import qualified Data.Map.Strict as Map
-import GHC.Clock (getMonotonicTime)
 import Numeric (showFFloat)
-import System.IO (hIsTerminalDevice, stderr)
 
--- | A listener that reports progress on standard error: a bar at most ten times a
--- second, a line every five seconds, or a JSON object at most five times a second and
--- for the last frame. It passes remarks on to the first argument in any mode.
-newTeller :: (String -> IO ()) -> ProgressMode -> IO (Report -> IO ())
-newTeller say mode = do
-  terminal <- hIsTerminalDevice stderr
-  start <- getMonotonicTime
-  told <- newIORef (if mode == BarProgress then start - 1 else start)
-  let every seconds always text = do
-        now <- getMonotonicTime
-        before <- readIORef told
-        when (always || now - before >= seconds) $ do
-          writeIORef told now
-          tell text
-  pure $ \news -> case (news, mode) of
-    (Remark line, _) -> clearLine mode >> say line
-    (_, NoProgress) -> pure ()
-    (Progressed current tally, JsonProgress) -> every 0.2 (isSettled tally) (jsonLine current tally ++ "\n")
-    (Progressed current tally, _)
-      | mode == BarProgress || (mode == AutoProgress && terminal) ->
-        every 0.1 False ("\r\ESC[K" ++ progressBar 24 tally ++ " " ++ progressLine current tally)
-      | otherwise -> every 5 False (progressLine current tally ++ "\n")
+-- | A listener that shows progress by a reporter and passes remarks on to the first
+-- argument.
+reportTo :: (String -> IO ()) -> Reporter -> Report -> IO ()
+reportTo say reporter news = case news of
+  Remark line -> clearProgress reporter >> say line
+  Progressed current tally -> showProgress reporter (framesProgress current tally)
+
+framesProgress :: Maybe Int -> Tally -> Progress
+framesProgress current tally =
+  Progress
+    { progressFraction = (fromIntegral settled + tallyPart tally) / fromIntegral (max 1 (tallyFrames tally)),
+      progressText = progressLine current tally,
+      progressMembers =
+        [ ("frames_done", Whole settled),
+          ("frames", Whole (tallyFrames tally)),
+          ("frame", maybe Null Whole current),
+          ("frames_per_second", maybe Null Number (framesPerSecond tally)),
+          ("seconds", Number (tallySeconds tally)),
+          ("seconds_left", maybe Null Number (secondsLeft tally))
+        ]
+    }
   where
-    isSettled tally = settledFrames tally >= tallyFrames tally
-
--- | Clear the bar, if this mode draws one.
-clearLine :: ProgressMode -> IO ()
-clearLine mode = do
-  terminal <- hIsTerminalDevice stderr
-  when (mode == BarProgress || (mode == AutoProgress && terminal)) $ tell "\r\ESC[K"
-
--- Progress as one JSON object on one line.
-jsonLine :: Maybe Int -> Tally -> String
-jsonLine current tally =
-  "{\"fraction\": " ++ showDouble ((fromIntegral settled + tallyPart tally) / fromIntegral (max 1 (tallyFrames tally)))
-    ++ (", \"frames_done\": " ++ show settled)
-    ++ (", \"frames\": " ++ show (tallyFrames tally))
-    ++ (", \"frame\": " ++ maybe "null" show current)
-    ++ (", \"frames_per_second\": " ++ maybe "null" showDouble (framesPerSecond tally))
-    ++ (", \"seconds\": " ++ showDouble (tallySeconds tally))
-    ++ (", \"seconds_left\": " ++ maybe "null" showDouble (secondsLeft tally))
-    ++ "}"
-  where
-    settled = settledFrames tally
-
-settledFrames :: Tally -> Int
-settledFrames tally = tallyFound tally + tallyRendered tally + tallyFailed tally + tallyElsewhere tally
+    settled = tallyFound tally + tallyRendered tally + tallyFailed tally + tallyElsewhere tally
 
 -- | The counts of a run in one line, such as @48 frames: 40 rendered in 12.3 s, 8 already
 -- done@.

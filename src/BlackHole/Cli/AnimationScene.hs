@@ -11,6 +11,7 @@ import BlackHole.Animation.Animation
 import BlackHole.Animation.AnimationFile
 import BlackHole.Animation.Progress (frameRanges)
 import BlackHole.Cli.SceneOptions
+import BlackHole.Image.SceneSource (readSceneFile)
 import BlackHole.Scene.File.Yaml
 import BlackHole.Scene.Problem
 import BlackHole.Scene.Scene (Scene)

@@ -11,6 +11,7 @@ module BlackHole.Cli.Console
     outputIsClosed,
     say,
     tell,
+    succeeded,
   )
 where
 
@@ -18,7 +19,9 @@ import BlackHole.Image.AtomicFile (printable)
 import Control.Exception (IOException, catch, try)
 import Control.Monad (void)
 import Data.Bits ((.&.))
+import GHC.Clock (getMonotonicTime)
 import GHC.IO.Exception (IOErrorType (ResourceVanished), IOException (..))
+import Numeric (showFFloat)
 import System.IO (Handle, hFlush, hPutStr, hSetBinaryMode, stderr, stdout)
 import System.Posix.Internals (c_fcntl_read, const_f_getfl, o_RDONLY)
 import System.Timeout (timeout)
@@ -60,6 +63,13 @@ say line = tellWithin 1000000 ("blackhole: " ++ printable line ++ "\n")
 -- error is a pipe whose reader does not read.
 tell :: String -> IO ()
 tell = tellWithin 10000
+
+-- | Reports success on standard error: a file, its content, and the seconds since the
+-- start, as in @hole.png: 640 × 360, 1.3 s@.
+succeeded :: Double -> FilePath -> String -> IO ()
+succeeded start file content = do
+  end <- getMonotonicTime
+  tell (printable ((if file == "-" then "standard output" else file) ++ ": " ++ content ++ ", " ++ showFFloat (Just 1) (end - start) " s") ++ "\n")
 
 -- A write to a full pipe waits until it has room, which can be interrupted.
 tellWithin :: Int -> String -> IO ()

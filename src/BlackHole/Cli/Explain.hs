@@ -5,6 +5,7 @@ module BlackHole.Cli.Explain
   )
 where
 
+import BlackHole.Cli.TextTable
 import BlackHole.Light.Display (Exposure (..), toneMapName)
 import BlackHole.Light.Radiance (Radiance (..), scaleRadiance)
 import BlackHole.Matter.Redshift (RedshiftParts (..))
@@ -36,23 +37,22 @@ pixelProblems (Picture width height) (x, y) =
 -- samples.
 explanationLines :: Scene -> Explanation -> [String]
 explanationLines scene explanation =
-  concat
-    [ [ "pixel " ++ show x ++ "," ++ show y ++ " of " ++ show width ++ " x " ++ show height ++ " (column and row, from 0 at the top left)",
-        "",
-        "line of sight through the centre of the pixel (lengths in Schwarzschild radii)"
-      ],
-      sightLines scene middle,
-      lightLines middle,
-      sampleLines (explainedSamples explanation),
-      [ "",
-        heading "picture",
-        colour (if single then "radiance" else "mean radiance of the samples") (explainedRadiance explanation),
-        colour ("exposed by " ++ short stops ++ " stops") (shownExposed shown),
-        colour ("tone map " ++ toneMapName (sceneToneMap scene)) (shownToneMapped shown),
-        field "sRGB codes" (concatMap (padLeft 16 . show) [r, g, b])
-      ],
-      ["  (before bloom, which adds light from the rest of the picture)" | sceneBloom scene > 0]
+  tableLines (LeftAligned : repeat RightAligned) $
+    [ Line ("pixel " ++ show x ++ "," ++ show y ++ " of " ++ show width ++ " x " ++ show height ++ " (column and row, from 0 at the top left)"),
+      Line "",
+      Line "line of sight through the centre of the pixel (lengths in Schwarzschild radii)"
     ]
+      ++ sightRows scene middle
+      ++ lightRows middle
+      ++ sampleRows (explainedSamples explanation)
+      ++ [ Line "",
+           heading "picture",
+           colour (if sceneSamples scene == 1 then "radiance" else "mean radiance of the samples") (explainedRadiance explanation),
+           colour ("exposed by " ++ short stops ++ " stops") (shownExposed shown),
+           colour ("tone map " ++ toneMapName (sceneToneMap scene)) (shownToneMapped shown),
+           field "sRGB codes" (map show [r, g, b])
+         ]
+      ++ [Line "  (before bloom, which adds light from the rest of the picture)" | sceneBloom scene > 0]
   where
     (x, y) = explainedPixel explanation
     Picture width height = scenePicture scene
@@ -60,66 +60,61 @@ explanationLines scene explanation =
     shown = explainedShown explanation
     (r, g, b) = shownCodes shown
     Exposure stops = sceneExposure scene
-    single = sceneSamples scene == 1
 
 -- | Where the line of sight goes.
-sightLines :: Scene -> Sighting -> [String]
-sightLines scene sighting =
-  [ field "point in the picture" (number px ++ number py),
-    field "direction" (maybe "  none: outside the fisheye's circle" vector (sightingDirection sighting))
+sightRows :: Scene -> Sighting -> [Row]
+sightRows scene sighting =
+  [ field "point in the picture" [decimal px, decimal py],
+    maybe (remark "direction" "none: outside the fisheye's circle") (field "direction" . vector) (sightingDirection sighting)
   ]
-    ++ maybe ["  no light arrives from this direction"] arriving (sightingArrival sighting)
+    ++ maybe [Line "  no light arrives from this direction"] arriving (sightingArrival sighting)
   where
     XY px py = sightingPoint sighting
     arriving light =
-      constantLines (arrivalConstants light)
-        ++ [ field "frequency / at infinity" (number (arrivalFrequency light) ++ "  (" ++ observerName (sceneObserver scene) ++ " observer)"),
-             field "fate" ("  " ++ fateText (arrivalFate light)),
-             field "steps" ("  " ++ show (arrivalSteps light) ++ " (" ++ integratorName (sceneIntegrator scene) ++ ")"),
-             "",
-             "crossings of the disk's plane, from the camera onwards (g: observed / emitted frequency of gas there)"
+      constantRows (arrivalConstants light)
+        ++ [ remark "frequency / at infinity" (decimal (arrivalFrequency light) ++ "  (" ++ observerName (sceneObserver scene) ++ " observer)"),
+             remark "fate" (fateText (arrivalFate light)),
+             remark "steps" (show (arrivalSteps light) ++ " (" ++ integratorName (sceneIntegrator scene) ++ ")"),
+             Line "",
+             Line "crossings of the disk's plane, from the camera onwards (g: observed / emitted frequency of gas there)"
            ]
-        ++ crossingLines scene (arrivalCrossings light)
-        ++ [ "",
-             "gas along the line of sight",
-             field "samples of the gas" ("  " ++ show (arrivalGasSamples light)),
-             field "optical depth" (number (opticalDepth light)),
-             field "transmittance" (number (arrivalTransmittance light))
+        ++ crossingRows scene (arrivalCrossings light)
+        ++ [ Line "",
+             Line "gas along the line of sight",
+             field "samples of the gas" [show (arrivalGasSamples light)],
+             field "optical depth" [decimal (opticalDepth light)],
+             field "transmittance" [decimal (arrivalTransmittance light)]
            ]
-    constantLines constants = case constants of
+    constantRows constants = case constants of
       AngularMomentum h ->
-        [ field "impact parameter b" (number (XYZ.norm h) ++ critical),
+        [ remark "impact parameter b" (decimal (XYZ.norm h) ++ critical),
           field "angular momentum h" (vector h)
         ]
       LambdaAndCarter lambda carter ->
-        [ field "angular momentum lambda" (number lambda),
-          field "Carter's constant Q" (number carter)
+        [ field "angular momentum lambda" [decimal lambda],
+          field "Carter's constant Q" [decimal carter]
         ]
     critical = case sceneSpacetime scene of
       Flat -> ""
-      _ -> "  (critical:" ++ number criticalImpactParameter ++ ")"
+      _ -> "  (critical: " ++ decimal criticalImpactParameter ++ ")"
     fateText fate = case fate of
-      Escaped direction -> fateName fate ++ " to the sky at" ++ vector direction
+      Escaped direction -> fateName fate ++ " to the sky at " ++ unwords (vector direction)
       Captured -> fateName fate ++ " by the hole"
       Opaque -> fateName fate ++ ": the gas hides everything behind it"
       StepLimit -> fateName fate ++ " reached"
 
-crossingLines :: Scene -> [PlaneCrossing] -> [String]
-crossingLines _ [] = ["  none"]
-crossingLines scene crossings = titles : map line crossings
+crossingRows :: Scene -> [PlaneCrossing] -> [Row]
+crossingRows _ [] = [Line "  none"]
+crossingRows scene crossings = Cells ("" : titles) : zipWith row [1 :: Int ..] crossings
   where
     shifts = sceneShifts scene
     everything = shifts == Shifts True True
-    titles =
-      "  " ++ concatMap (padLeft 16) (["r", "azimuth (deg)", "g", "g (gravity)", "g (motion)"] ++ ["g (shown)" | not everything])
-    line crossing =
-      "  "
-        ++ concatMap
-          (padLeft 16)
-          ( decimal (crossingRadius crossing) :
-            decimal (inDegrees (toDegrees (Radians (crossingAzimuth crossing)))) :
-            maybe ["-", "-", "-"] parts (crossingShift crossing)
-          )
+    titles = ["r", "azimuth (deg)", "g", "g (gravity)", "g (motion)"] ++ ["g (shown)" | not everything]
+    row n crossing =
+      field ("crossing " ++ show n) $
+        decimal (crossingRadius crossing) :
+        decimal (inDegrees (toDegrees (Radians (crossingAzimuth crossing)))) :
+        maybe ["-", "-", "-"] parts (crossingShift crossing)
     parts shift =
       [ decimal (redshiftGravitational shift * redshiftDoppler shift),
         decimal (redshiftGravitational shift),
@@ -128,11 +123,9 @@ crossingLines scene crossings = titles : map line crossings
         ++ [decimal (shiftFactor shifts shift) | not everything]
 
 -- | The light along the line of sight.
-lightLines :: Sighting -> [String]
-lightLines sighting =
-  [ "",
-    heading "light"
-  ]
+lightRows :: Sighting -> [Row]
+lightRows sighting =
+  [Line "", heading "light"]
     ++ maybe [] parts (sightingArrival sighting)
     ++ [colour "total" (sightingRadiance sighting)]
   where
@@ -143,14 +136,14 @@ lightLines sighting =
       ]
 
 -- | The samples, if there is more than one.
-sampleLines :: [Sighting] -> [String]
-sampleLines samples@(_ : _ : _) =
-  "" :
+sampleRows :: [Sighting] -> [Row]
+sampleRows samples@(_ : _ : _) =
+  Line "" :
   heading "samples" :
-  map line (take 64 samples)
-    ++ ["  and " ++ show (length samples - 64) ++ " more" | length samples > 64]
+  map row (take 64 samples)
+    ++ [Line ("  and " ++ show (length samples - 64) ++ " more") | length samples > 64]
   where
-    line sample =
+    row sample =
       colour
         ( showFFloat (Just 3) px "" ++ "," ++ showFFloat (Just 3) py "" ++ " "
             ++ maybe "dark" (fateName . arrivalFate) (sightingArrival sample)
@@ -158,23 +151,23 @@ sampleLines samples@(_ : _ : _) =
         (sightingRadiance sample)
       where
         XY px py = sightingPoint sample
-sampleLines _ = []
+sampleRows _ = []
 
 -- | The heading above rows of 'colour'.
-heading :: String -> String
-heading name = pad 30 name ++ concatMap (padLeft 16) ["red", "green", "blue"]
+heading :: String -> Row
+heading name = Cells [name, "red", "green", "blue"]
 
-colour :: String -> Radiance -> String
-colour name (Radiance r g b) = field name (concatMap (padLeft 16 . decimal) [r, g, b])
+colour :: String -> Radiance -> Row
+colour name (Radiance r g b) = field name (map decimal [r, g, b])
 
-field :: String -> String -> String
-field name content = "  " ++ pad 28 name ++ content
+field :: String -> [String] -> Row
+field name cells = Cells (("  " ++ name) : cells)
 
-number :: Double -> String
-number v = "  " ++ decimal v
+remark :: String -> String -> Row
+remark name = Across ("  " ++ name)
 
-vector :: XYZ -> String
-vector (XYZ x y z) = concatMap number [x, y, z]
+vector :: XYZ -> [String]
+vector (XYZ x y z) = map decimal [x, y, z]
 
 -- | Ten decimals for numbers of ordinary size, otherwise an exponent.
 decimal :: Double -> String
@@ -190,7 +183,3 @@ short v
   | otherwise = show v
   where
     n = round v :: Int
-
-pad, padLeft :: Int -> String -> String
-pad width text = text ++ replicate (width - length text) ' '
-padLeft width text = replicate (max 1 (width - length text)) ' ' ++ text

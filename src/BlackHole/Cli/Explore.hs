@@ -5,20 +5,19 @@ module BlackHole.Cli.Explore
   ( ExploreOptions (..),
     exploreOptions,
     explore,
-    Ending (..),
     service,
   )
 where
 
 import BlackHole.Cli.Check (checkThreads)
 import BlackHole.Cli.Console (printText, say)
+import BlackHole.Cli.ExitStatus
 import BlackHole.Cli.ExploreJson
 import BlackHole.Cli.Json
 import BlackHole.Cli.Memory
 import BlackHole.Cli.Read
 import BlackHole.Cli.RunOptions (threadsOption)
 import BlackHole.Cli.SceneOptions
-import BlackHole.Cli.SkyFile
 import BlackHole.Explore.Access
 import BlackHole.Explore.Hall
 import BlackHole.Explore.PageFiles
@@ -26,6 +25,7 @@ import BlackHole.Explore.Picture
 import BlackHole.Explore.Server
 import BlackHole.Explore.Service
 import BlackHole.Explore.Session
+import BlackHole.Image.SkyFile
 import BlackHole.Render.Workers
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Problem
@@ -66,33 +66,21 @@ exploreOptions =
     <*> toggle (long "keep" <> help "Keep running when the last page is closed (default: end half a minute later)")
     <*> threadsOption
 
--- | How it ended.
-data Ending
-  = -- | The last page was closed.
-    Ended
-  | -- | Invalid options.
-    Misuse
-  | -- | The scene is invalid.
-    WrongScene
-  | -- | The program has no web server, or it cannot listen.
-    CannotServe
-  deriving (Eq, Show)
-
--- | Run the server, given the program's name and version.
-explore :: String -> ExploreOptions -> IO Ending
-explore software options = case serve of
-  Nothing -> CannotServe <$ say "explore: this program is built without the live view; script/blackhole explore in a checkout builds it, as does the Cabal flag explore (blackhole render --preview draws in the terminal)"
+-- | Runs the server.
+explore :: ExploreOptions -> IO ExitStatus
+explore options = case serve of
+  Nothing -> complain CannotWrite "explore: this program is built without the live view; script/blackhole explore in a checkout builds it, as does the Cabal flag explore (blackhole render --preview draws in the terminal)"
   Just server
-    | problem : problems <- portProblems ++ checkThreads (exploreThreads options) -> Misuse <$ mapM_ (say . renderProblem) (problem : problems)
+    | problem : problems <- portProblems ++ checkThreads (exploreThreads options) -> complainAll UsageError (problem : problems)
     | otherwise -> do
       loaded <- loadScene (exploreScene options)
       sky <- either (const (pure (Right Nothing))) loadSky loaded
       case (loaded, sky) of
-        (Left problems, _) -> WrongScene <$ mapM_ say problems
-        (_, Left problem) -> WrongScene <$ say problem
+        (Left problems, _) -> BadInput <$ mapM_ say problems
+        (_, Left problem) -> complain BadInput problem
         (Right scene, _) -> do
           workers <- maybe defaultWorkers pure (workersFromCount =<< exploreThreads options)
-          withWorkers workers (serving server (Studio workers software skyOf room) scene)
+          withWorkers workers (serving server (Studio workers skyOf room) scene)
   where
     portProblems = [Problem "--port" (show n) "a port from 1 to 65535" | Just n <- [explorePort options], n < 1 || n > 65535]
     skyOf = fmap (fmap (fmap skyFileImage)) . loadSky
@@ -102,7 +90,7 @@ explore software options = case serve of
       hall <- newHall studio (preset, scene) (Builder.toLazyByteString . Builder.stringUtf8 . renderJson . replyJson)
       token <- newToken
       let access = Access token
-          table = Builder.toLazyByteString (Builder.stringUtf8 (renderJson (tableJson software)))
+          table = Builder.toLazyByteString (Builder.stringUtf8 (renderJson tableJson))
           announce port = do
             let address = pageAddress (access port)
             _ <- printText ("Open " ++ address ++ " in a browser. Ctrl-C ends the program.\n")
@@ -114,8 +102,8 @@ explore software options = case serve of
       -- A picture that is being rendered leaves nothing behind.
       ended <- race (server (explorePort options) (\port -> service (access port) hall table) announce) (deserted hall) `finally` (readTVarIO (hallWorker hall) >>= mapM_ cancel)
       case ended of
-        Left (Left reason) -> CannotServe <$ say ("explore: cannot listen on port " ++ maybe "of its own" show (explorePort options) ++ ": " ++ reason)
-        _ -> pure Ended
+        Left (Left reason) -> complain CannotWrite ("explore: cannot listen on port " ++ maybe "of its own" show (explorePort options) ++ ": " ++ reason)
+        _ -> pure Done
     -- Returns half a minute after the last page was closed.
     deserted hall
       | exploreKeep options = atomically retry

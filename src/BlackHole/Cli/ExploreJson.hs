@@ -13,6 +13,7 @@ import BlackHole.Explore.Reply
 import BlackHole.Explore.Slider
 import BlackHole.Explore.Timeline (interpolations)
 import BlackHole.Image.Coding (formatExtensions)
+import BlackHole.Image.Metadata (software)
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Disk
 import BlackHole.Scene.Field.Condition
@@ -75,8 +76,8 @@ replyJson reply = case reply of
 
 -- | What does not change: every setting with its topic, kind, range, slider and
 -- documentation, the presets, and the choices of the animation and of file formats.
-tableJson :: String -> Json
-tableJson software =
+tableJson :: Json
+tableJson =
   Object
     [ ("software", Text software),
       ("topics", List [Text (topicName topic) | topic <- [minBound .. maxBound]]),

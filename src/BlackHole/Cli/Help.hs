@@ -1,5 +1,5 @@
--- | Help: the overview, the text of each command and topic, and the manual page, all
--- made from the parsers and the table of settings.
+-- | Help: the overview and the text of each command and topic, made from the parsers and
+-- the table of settings.
 module BlackHole.Cli.Help
   ( -- * Commands
     CommandHelp (..),
@@ -11,8 +11,14 @@ module BlackHole.Cli.Help
     commandText,
     topicNames,
     helpOn,
-    manualPage,
     headedOptions,
+    exitTexts,
+
+    -- * Options and settings
+    entryLabel,
+    entryMeaning,
+    defaultNote,
+    sections,
 
     -- * Mistakes
     withSuggestion,
@@ -24,7 +30,7 @@ import BlackHole.Cli.Read (nearest)
 import BlackHole.Scene.Field.Field
 import BlackHole.Scene.Field.Kind (Value (..), showValue)
 import BlackHole.Scene.Field.Table (sceneFields)
-import BlackHole.Scene.Preset (Preset (..), defaultScene, describedPresets)
+import BlackHole.Scene.Preset (defaultScene)
 import BlackHole.Scene.Problem (suggestion)
 import Data.Char (toLower)
 import Data.List (find, intercalate, isInfixOf, isPrefixOf, stripPrefix)
@@ -162,6 +168,7 @@ isSceneCommand = any (("--preset" `elem`) . entryNames) . commandEntries
 entryRows :: CommandHelp -> Entry -> [String]
 entryRows c e = row 26 (entryLabel e) (entryMeaning c e)
 
+-- | The names and the placeholder.
 entryLabel :: Entry -> String
 entryLabel (Entry names value _)
   | null names = value
@@ -175,6 +182,7 @@ entryMeaning c e = entryText e ++ fromMaybe "" (if isSceneCommand c then fieldOf
 fieldOf :: Entry -> Maybe Field
 fieldOf e = find (maybe False ((`elem` entryNames e) . optionName) . fieldOption) sceneFields
 
+-- | The default of a setting in brackets, unless its description names one.
 defaultNote :: String -> Field -> Maybe String
 defaultNote text f
   | "default" `isInfixOf` text = Nothing
@@ -260,49 +268,6 @@ helpOn commands wanted
     name = map toLower (unwords wanted)
     known = map commandName commands ++ topicNames
 
--- | The manual page in the macros of @man@, given the program's version.
-manualPage :: String -> [CommandHelp] -> String
-manualPage version commands =
-  unlines $
-    [ ".TH BLACKHOLE 1 \"\" \"" ++ version ++ "\" \"User Commands\"",
-      ".SH NAME",
-      "blackhole \\- physically accurate pictures of a black hole",
-      ".SH SYNOPSIS",
-      ".B blackhole",
-      "\\fICOMMAND\\fR [\\fIOPTION\\fR...]",
-      ".SH DESCRIPTION",
-      roff "Traces light backwards from a camera through the curved space around a black hole, rotating or not: a disk of glowing gas, the sky behind it, and the hole's shadow.",
-      roff "Equal scenes give equal bytes for any number of threads.",
-      roff "Lengths are in Schwarzschild radii (r_s), times in r_s/c, and angles in degrees unless stated otherwise.",
-      roff "If an option is given more than once, the last one counts.",
-      ".SH COMMANDS"
-    ]
-      ++ concatMap commandPart commands
-      ++ [".SH SCENE FILES", roff "A scene file is YAML with the settings below, and preset: NAME to start from a preset. The options of render set the settings named in brackets. blackhole scene show default prints a complete scene file."]
-      ++ concat [(".SS " ++ topicName topic) : concat [[".TP", ".B " ++ roff (fieldPath f), roff (pathMeaning f)] | f <- sceneFields, fieldTopic f == topic] | topic <- [minBound ..]]
-      ++ [".SH ANIMATION"]
-      ++ concatMap part animationHelp
-      ++ [".SH PRESETS"]
-      ++ concat [[".TP", ".B " ++ roff (presetName p), roff (presetShows p)] | p <- describedPresets]
-      ++ [".SH EXIT STATUS"]
-      ++ concat [[".TP", ".B " ++ code, roff text] | (code, text) <- exitTexts]
-      ++ [ ".SH ENVIRONMENT",
-           ".TP",
-           ".B NO_COLOR",
-           "If set and not empty, the output has no colours."
-         ]
-  where
-    commandPart c =
-      [".SS blackhole " ++ roff (commandName c), roff (unwords (words (commandSummary c ++ " " ++ commandDetails c)))]
-        ++ concat [(".PP" : [".B " ++ roff title]) ++ concatMap (item c) entries | (title, entries) <- sections c]
-        ++ concat [[".PP", "Example:", ".PP", ".EX", roff line, ".EE"] | line <- commandExamples c]
-    item c e = [".TP", ".B " ++ roff (entryLabel e), roff (entryMeaning c e)]
-    pathMeaning f = fieldDoc f ++ fromMaybe "" (defaultNote (fieldDoc f) f) ++ maybe "" (\o -> " [" ++ optionName o ++ "]") (fieldOption f)
-    part p = case p of
-      Paragraph text -> [".PP", roff text]
-      Verbatim code -> [".PP", ".EX"] ++ map roff code ++ [".EE"]
-      Terms terms -> concat [[".TP", ".B " ++ roff term, roff text] | (term, text) <- terms]
-
 -- | The exit codes and their meanings.
 exitTexts :: [(String, String)]
 exitTexts =
@@ -314,16 +279,6 @@ exitTexts =
     ("5", "Frames of an animation or its video file are missing."),
     ("129, 130, 143, 152", "Stopped by a signal: SIGHUP, Ctrl-C (SIGINT), SIGTERM, or the limit on processor time.")
   ]
-
-roff :: String -> String
-roff text = case concatMap escaped text of
-  line@(c : _) | c `elem` ".'" -> "\\&" ++ line
-  line -> line
-  where
-    escaped c = case c of
-      '\\' -> "\\e"
-      '-' -> "\\-"
-      _ -> [c]
 
 -- | A parser's message, with a suggestion if it is about an unknown option or command,
 -- given the options and commands that exist. A short option gets no suggestion: any

@@ -1,35 +1,42 @@
 {-# LANGUAGE TupleSections #-}
 
--- | Tiles of one large picture, which @render --tile@ writes and @blackhole join@ joins.
+-- | @blackhole join@: joins the tiles that @render --tile@ writes.
 module BlackHole.Cli.Join
   ( JoinOptions (..),
     joinOptions,
-    tilePart,
-    tileHeader,
-    tileProblems,
-    tileNameProblems,
+    join,
     openTiles,
   )
 where
 
+import BlackHole.Cli.Check (checkThreads)
 import BlackHole.Cli.CodingOptions (codingOptions)
+import BlackHole.Cli.Console (say)
+import BlackHole.Cli.ExitStatus
+import BlackHole.Cli.Memory
+import BlackHole.Cli.PictureOutput
+import BlackHole.Cli.Progress (withProgress)
 import BlackHole.Cli.Read
 import BlackHole.Cli.RunOptions
-import BlackHole.Image.Coding (Coding)
+import BlackHole.Cli.Stats (joinStatsJson)
+import BlackHole.Cli.Tile (tileExtension)
+import BlackHole.Cli.Version (versionLine)
+import BlackHole.Image.Coding
+import BlackHole.Image.Destination (toHandle)
+import BlackHole.Image.Metadata (software)
 import BlackHole.Image.TileFile
-import BlackHole.Render.Shard
+import BlackHole.Image.Write (pictureEncoder)
 import BlackHole.Scene.Camera (Picture (..))
-import BlackHole.Scene.File.SceneFile (printScene)
-import BlackHole.Scene.Problem
 import BlackHole.Scene.Resolve
 import BlackHole.Scene.Scene
 import Control.Exception (IOException, try)
-import qualified Data.ByteString.Builder as Builder
-import qualified Data.ByteString.Lazy as Lazy
-import Data.Char (toLower)
+import Control.Monad ((>=>))
 import Data.Either (partitionEithers)
+import Data.List.NonEmpty (NonEmpty (..))
+import Data.Maybe (fromMaybe)
+import qualified Data.Vector.Storable as Vector
+import GHC.Clock (getMonotonicTime)
 import Options.Applicative
-import System.FilePath (takeExtension)
 import System.IO.Error (ioeGetErrorString)
 
 -- | The options of @blackhole join@.
@@ -52,34 +59,38 @@ joinOptions =
     <*> threadsOption
     <*> reporting
 
--- | A part of a picture, @I\/N@.
-tilePart :: ReadM Shard
-tilePart = eitherReader $ \text ->
-  maybe (Left ("'" ++ text ++ "' is not I/N with I from 1 to N")) Right (parseShard text)
+-- | Writes the picture of some tiles.
+join :: JoinOptions -> IO ExitStatus
+join options = case formatOf (joinOutput options) of
+  Nothing -> complainAll UsageError [unknownExtensionOf (joinOutput options)]
+  Just format
+    | problems@(_ : _) <- codingProblem format (joinCoding options) ++ checkThreads (joinThreads options) -> complainAll UsageError problems
+    | otherwise -> do
+      start <- getMonotonicTime
+      opened <- openTiles (joinTiles options)
+      either ((BadInput <$) . mapM_ say) (uncurry (joinOpen options format start)) opened
 
-tileExtension :: String
-tileExtension = ".tile"
-
--- | The header of a tile of a scene, given lines that must be equal in all tiles of a
--- picture: the program's name and version, and those of the sky.
-tileHeader :: [String] -> Shard -> Scene -> TileHeader
-tileHeader origin part scene =
-  TileHeader part (width, height) . Lazy.toStrict . Builder.toLazyByteString . Builder.stringUtf8 $
-    printScene origin scene
+-- | The same for open tiles of a scene, given the time of the start.
+joinOpen :: JoinOptions -> Format -> Double -> Scene -> [TileFile] -> IO ExitStatus
+joinOpen options format start scene tiles = whenWritable writing . inWorkers (joinThreads options) $ \workers -> do
+  status <- withProgress (progressMode reported) height (width * sceneSamples scene) $ \report ->
+    let rowsOf (first, count) = report first >> readPictureRows tiles (first, count)
+     in case pictureEncoder workers software format (joinCoding options) (scene :| []) counts of
+          Nothing -> complain CannotWrite (noRoom output)
+          Just encode -> storeBy output (toHandle >=> encode rowsOf)
+  if status == Done
+    then do
+      pictureSucceeded reported start output (width, height)
+      end <- getMonotonicTime
+      memory <- peakMemory
+      storeStats reported (joinStatsJson versionLine scene (length tiles) workers (end - start) memory)
+    else pure status
   where
+    output = joinOutput options
+    reported = joinReporting options
     Picture width height = scenePicture scene
-
--- | The problems of a part for a picture.
-tileProblems :: Shard -> Picture -> [Problem]
-tileProblems part (Picture _ height) =
-  [Problem "--tile" (renderShard part) ("a part of this picture, which has only " ++ show height ++ " rows") | shardCount part > height]
-
--- | The problems of a tile file's name.
-tileNameProblems :: FilePath -> [Problem]
-tileNameProblems output =
-  [ Problem "--output" ("'" ++ output ++ "'") ("a file name that ends in " ++ tileExtension)
-    | map toLower (takeExtension output) /= tileExtension
-  ]
+    writing = Writing (Making (Joined format) False False) scene height [("a tile", tileFilePath tile) | tile <- tiles] output reported
+    counts row = fromMaybe (Vector.replicate width (fromIntegral (sceneSamples scene))) <$> readCountsRow tiles row
 
 -- | The scene of some tile files and the files themselves, or one line for each reason
 -- why they cannot be joined. Reads all of them once.

@@ -2,6 +2,7 @@
 module BlackHole.Cli.Json
   ( Json (..),
     renderJson,
+    jsonLine,
     showDouble,
   )
 where
@@ -28,21 +29,28 @@ renderJson :: Json -> String
 renderJson json = go "" json ++ "\n"
   where
     go indent value = case value of
-      Null -> "null"
-      Number d
-        | isNaN d || isInfinite d -> "null"
-        | otherwise -> showDouble d
-      Whole n -> show n
-      Truth b -> if b then "true" else "false"
-      Text s -> quoted s
       List items -> block indent '[' ']' [(`go` item) | item <- items]
       Object members ->
         block indent '{' '}' [\i -> quoted name ++ ": " ++ go i item | (name, item) <- members]
+      _ -> jsonLine value
     block :: String -> Char -> Char -> [String -> String] -> String
     block _ open close [] = [open, close]
     block indent open close parts =
       let inner = "  " ++ indent
        in [open] ++ "\n" ++ intercalate ",\n" [inner ++ part inner | part <- parts] ++ "\n" ++ indent ++ [close]
+
+-- | Text on one line, without a newline at its end.
+jsonLine :: Json -> String
+jsonLine value = case value of
+  Null -> "null"
+  Number d
+    | isNaN d || isInfinite d -> "null"
+    | otherwise -> showDouble d
+  Whole n -> show n
+  Truth b -> if b then "true" else "false"
+  Text s -> quoted s
+  List items -> "[" ++ intercalate ", " (map jsonLine items) ++ "]"
+  Object members -> "{" ++ intercalate ", " [quoted name ++ ": " ++ jsonLine item | (name, item) <- members] ++ "}"
 
 quoted :: String -> String
 quoted s = "\"" ++ concatMap escaped s ++ "\""

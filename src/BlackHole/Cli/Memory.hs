@@ -46,7 +46,7 @@ data Making = Making
 -- again): at least 12 bytes a pixel of light, and what a stage holds beside it.
 pictureMemory :: Making -> Scene -> Int -> Integer
 pictureMemory (Making product' blurred kept) scene rows =
-  50331648 + toInteger width * toInteger rows * sum (ofProduct : [n | (True, n) <- [(sceneBloom scene > 0, 18), (blurred, 48), (kept, 14), (mostSamples scene > sceneSamples scene, 8)]])
+  50331648 + toInteger width * toInteger rows * sum (ofProduct : [n | (True, n) <- [(sceneBeam scene > 0, 18), (sceneBloom scene > 0, 18), (sceneSpikes scene > 0, 18), (blurred, 48), (kept, 14), (mostSamples scene > sceneSamples scene, 8)]])
   where
     Picture width _ = scenePicture scene
     ofProduct = case product' of

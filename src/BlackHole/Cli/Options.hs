@@ -1,8 +1,6 @@
 -- | The command line: its commands and their parsers.
 module BlackHole.Cli.Options
   ( Command (..),
-    RenderOptions (..),
-    renderTarget,
     Parsed (..),
     parseArguments,
     formerOptions,
@@ -12,22 +10,18 @@ module BlackHole.Cli.Options
   )
 where
 
-import BlackHole.Cli.Animate (AnimateOptions, animateOptions)
-import BlackHole.Cli.CodingOptions (codingOptions)
+import BlackHole.Cli.Animate.Options (AnimateOptions, animateOptions)
 import BlackHole.Cli.Explore (ExploreOptions, exploreOptions)
 import BlackHole.Cli.Help
-import BlackHole.Cli.Join (JoinOptions, joinOptions, tilePart)
-import BlackHole.Cli.Photon (PhotonOptions, photonOptions)
+import BlackHole.Cli.Join (JoinOptions, joinOptions)
+import BlackHole.Cli.ManualPage (manualPage)
+import BlackHole.Cli.Photon.Options (PhotonOptions, photonOptions)
 import BlackHole.Cli.Rays (RaysOptions, raysOptions)
-import BlackHole.Cli.Read
-import BlackHole.Cli.RunOptions
+import BlackHole.Cli.Render.Options (RenderOptions, renderOptions)
 import BlackHole.Cli.SceneCommand (SceneCommand, sceneCommands)
-import BlackHole.Cli.SceneOptions (SceneOptions, sceneOptions)
 import BlackHole.Cli.SelfTest (SelfTestOptions, selfTestOptions)
-import BlackHole.Image.Coding (Coding, formatExtensions)
-import BlackHole.Render.Shard (Shard)
 import Data.List (dropWhileEnd, find)
-import Data.Maybe (fromMaybe, mapMaybe)
+import Data.Maybe (mapMaybe)
 import Options.Applicative
 import Options.Applicative.Help (unChunk)
 import System.Exit (ExitCode (..))
@@ -39,7 +33,7 @@ data Command
   | -- | Join the tiles of a picture.
     Join JoinOptions
   | -- | Render the frames of an animation.
-    Animate (AnimateOptions SceneOptions)
+    Animate AnimateOptions
   | -- | Show a live view in the browser.
     Explore ExploreOptions
   | -- | List, print or check scenes.
@@ -51,28 +45,6 @@ data Command
   | -- | Check the program's numbers.
     SelfTest SelfTestOptions
   deriving (Eq, Show)
-
--- | The options of @blackhole render@.
-data RenderOptions = RenderOptions
-  { renderScene :: !SceneOptions,
-    -- | A picture whose stored scene to start from.
-    renderFrom :: !(Maybe FilePath),
-    renderCoding :: !Coding,
-    -- | Draw in the terminal instead of writing a file.
-    renderPreview :: !Bool,
-    renderThreads :: !(Maybe Int),
-    -- | Column and row of a pixel to explain instead of rendering.
-    renderPixel :: !(Maybe (Int, Int)),
-    renderTile :: !(Maybe Shard),
-    renderRun :: !RunOptions,
-    -- | The value of @--output@, if it is given; see 'renderTarget'.
-    renderOutput :: !(Maybe FilePath)
-  }
-  deriving (Eq, Show)
-
--- | The file to write.
-renderTarget :: RenderOptions -> FilePath
-renderTarget = fromMaybe "blackhole.png" . renderOutput
 
 -- | The result of parsing the command line.
 data Parsed
@@ -178,7 +150,7 @@ described =
       "Render the frames of an animation."
       "The animation is a scene file with a section animation (see: blackhole help animation), or an orbit around the hole in any scene (--orbit). Renders only frames that are missing, outdated or damaged, so an interrupted animation continues where it stopped. Several processes can share the work."
       ["blackhole animate --preset luminet --orbit 360 --duration 4 -o frames/%05d.png", "blackhole animate scenes/orbit.yaml -o frames/%05d.png --video orbit.mp4"]
-      (Task . Animate <$> animateOptions sceneOptions),
+      (Task . Animate <$> animateOptions),
     describe
       "join"
       "Join the tiles of a picture."
@@ -235,16 +207,3 @@ commandLine version = info (hsubparser (foldMap task described) <**> versionOpti
     task (Described about parser) = command (commandName about) (info parser (progDesc (commandSummary about)))
     versionOption =
       infoOption version (long "version" <> help "Print the version and exit")
-
-renderOptions :: Parser RenderOptions
-renderOptions =
-  RenderOptions
-    <$> sceneOptions
-    <*> setting (strOption (long "from" <> metavar "PICTURE" <> filesEnding (map fst formatExtensions) <> help "Start from the scene stored in a picture that this program wrote"))
-    <*> codingOptions
-    <*> toggle (long "preview" <> help "Draw the picture in the terminal instead of writing a file")
-    <*> threadsOption
-    <*> setting (option pixelPlace (long "pixel" <> metavar "X,Y" <> help "Explain the colour of one pixel instead of rendering; 0,0 is the top left"))
-    <*> setting (option tilePart (long "tile" <> metavar "I/N" <> help "Render part I of N, a band of rows, to a tile file (-o FILE.tile) for blackhole join"))
-    <*> runOptions
-    <*> setting (strOption (long "output" <> short 'o' <> metavar "FILE" <> action "file" <> help "File to write: .png, .jpg, .tif, .hdr or .exr; - writes a PNG to standard output (default: blackhole.png)"))

@@ -6,20 +6,27 @@ module BlackHole.Cli.Rays
     FigureFormat (..),
     resolveRays,
     raysFile,
+    rays,
   )
 where
 
 import BlackHole.Cli.Check
+import BlackHole.Cli.Console (succeeded)
+import BlackHole.Cli.ExitStatus
 import BlackHole.Cli.Json (showDouble)
 import BlackHole.Cli.Read
 import BlackHole.Figure.Raster (rasterise)
 import BlackHole.Figure.RayFan
 import BlackHole.Figure.Svg (renderSvg)
+import BlackHole.Image.AtomicFile
+import BlackHole.Image.Metadata (software)
 import BlackHole.Scene.Validate (Problem (..))
 import Codec.Picture.Metadata (Keys (..), singleton)
 import Codec.Picture.Png (encodePngWithMetadata)
+import Control.Monad (unless)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (toLower)
+import GHC.Clock (getMonotonicTime)
 import Options.Applicative
 import System.FilePath (takeExtension)
 
@@ -70,11 +77,21 @@ resolveRays (RaysOptions count extent width output _) = case (format, problems) 
       ".png" -> Just Png
       _ -> Nothing
 
--- | The file's bytes, with the program's name and version (the first argument) and
--- without a time stamp.
-raysFile :: String -> RaysTask -> Lazy.ByteString
-raysFile software (RaysTask format fan) = case format of
+-- | The file's bytes, with the program's name and version and without a time stamp.
+raysFile :: RaysTask -> Lazy.ByteString
+raysFile (RaysTask format fan) = case format of
   Svg -> renderSvg figure
   Png -> encodePngWithMetadata (singleton Software software) (rasterise figure)
   where
     figure = rayFanFigure fan
+
+-- | Draws the figure that the options ask for.
+rays :: RaysOptions -> IO ExitStatus
+rays options = case resolveRays options of
+  Left problems -> complainAll UsageError problems
+  Right task -> do
+    start <- getMonotonicTime
+    written <- writeFileAtomically (raysOutput options) (raysFile task)
+    case written of
+      Left problem -> complain CannotWrite ("--output: " ++ renderWriteProblem problem)
+      Right () -> Done <$ unless (raysQuiet options) (succeeded start (raysOutput options) (show (raysCount options) ++ " rays"))

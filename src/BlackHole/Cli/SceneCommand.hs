@@ -3,16 +3,20 @@ module BlackHole.Cli.SceneCommand
   ( SceneCommand (..),
     sceneCommands,
     sceneText,
+    runSceneCommand,
   )
 where
 
 import BlackHole.Animation.Animation (animationFrames)
 import BlackHole.Cli.AnimationScene
+import BlackHole.Cli.Console (say)
+import BlackHole.Cli.ExitStatus
 import BlackHole.Cli.Json (renderJson)
 import BlackHole.Cli.Read (filesEnding)
 import BlackHole.Cli.SceneOptions
 import BlackHole.Cli.Schema (sceneSchema)
-import BlackHole.Cli.SkyFile (skyFault)
+import BlackHole.Image.SceneSource (readSceneFile)
+import BlackHole.Image.SkyFile (skyFault)
 import BlackHole.Scene.File.SceneFile (printScene)
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Problem
@@ -62,6 +66,14 @@ sceneCommands =
       pure SceneSchema
     )
   ]
+
+-- | Prints the output of a command, or its problems.
+runSceneCommand :: SceneCommand -> IO ExitStatus
+runSceneCommand task = sceneText task >>= either ((status <$) . mapM_ say) (printed Done)
+  where
+    status = case task of
+      ShowScene _ -> UsageError
+      _ -> BadInput
 
 -- | The output of a command, or one line for each mistake.
 sceneText :: SceneCommand -> IO (Either [String] String)

@@ -6,32 +6,32 @@ module BlackHole.Cli.SceneOptions
     resolveScene,
     resolveMetadata,
     loadScene,
-    readSceneFile,
     warnFormerNames,
+    sceneInputs,
+    underSky,
   )
 where
 
 import BlackHole.Cli.Console (say)
+import BlackHole.Cli.ExitStatus
 import BlackHole.Cli.Read
 import BlackHole.Image.MotionBlur (splitBlurredScenes)
+import BlackHole.Image.SceneSource (readSceneFile)
+import BlackHole.Image.SkyFile
 import BlackHole.Scene.Field.Field
 import BlackHole.Scene.Field.Kind
 import BlackHole.Scene.Field.Table
-import BlackHole.Scene.File.Yaml (maximumYamlBytes)
 import BlackHole.Scene.Preset (presetNames)
 import BlackHole.Scene.Resolve
 import BlackHole.Scene.Scene (Scene (..))
 import BlackHole.Scene.Setting
 import BlackHole.Trace.Sky (neededPicture)
-import Control.Exception (IOException, try)
 import qualified Data.ByteString as Bytes
 import Data.List (intercalate)
 import Data.List.NonEmpty (NonEmpty (..))
 import Data.Maybe (catMaybes)
 import Options.Applicative
 import System.FilePath (takeDirectory)
-import System.IO (IOMode (ReadMode), withBinaryFile)
-import System.IO.Error (ioeGetErrorString)
 
 -- | What makes a scene.
 data SceneOptions = SceneOptions
@@ -108,11 +108,11 @@ warnFormerNames :: SceneOptions -> Bytes.ByteString -> IO ()
 warnFormerNames options bytes =
   mapM_ say (requestWarnings (sceneRequest options (Just bytes)))
 
--- | A scene file's bytes, or one line that says why it cannot be read. Stops reading
--- when the file exceeds the limit for scene files.
-readSceneFile :: FilePath -> IO (Either String Bytes.ByteString)
-readSceneFile file = do
-  outcome <- try (withBinaryFile file ReadMode (`Bytes.hGet` (maximumYamlBytes + 1)))
-  pure $ case outcome of
-    Left failure -> Left (file ++ ": cannot be read: " ++ ioeGetErrorString (failure :: IOException))
-    Right bytes -> Right bytes
+-- | The files that a scene is read from, with the names that messages use for them.
+sceneInputs :: SceneOptions -> Scene -> [(String, FilePath)]
+sceneInputs options scene =
+  [("the scene", file) | Just file <- [sceneFile options]] ++ [("the sky", file) | Just file <- [neededPicture scene]]
+
+-- | Continues with the environment map of a scene, if it has one.
+underSky :: Scene -> (Maybe SkyFile -> IO ExitStatus) -> IO ExitStatus
+underSky scene continue = loadSky scene >>= either (complain BadInput) continue

@@ -1,8 +1,8 @@
 -- | Statistics of a rendering, for @--stats@.
 module BlackHole.Cli.Stats
   ( Stats (..),
-    statsText,
-    joinStatsText,
+    statsJson,
+    joinStatsJson,
   )
 where
 
@@ -16,7 +16,6 @@ import BlackHole.Trace.RenderStatistics
 import qualified Crypto.Hash.SHA256 as SHA256
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Builder as Builder
-import qualified Data.ByteString.Lazy as Lazy
 import Numeric (showHex)
 
 -- | Measurements of one rendering.
@@ -43,30 +42,29 @@ data Stats = Stats
 -- tracer does not count, estimated from a thousand lines of sight ('renderStatistics'), with
 -- their standard errors. The hash is the SHA-256 of the complete scene as
 -- 'printScene' prints it.
-statsText :: Stats -> Lazy.ByteString
-statsText s =
-  Builder.toLazyByteString . Builder.stringUtf8 . renderJson $
-    Object
-      [ ("version", Text (statsVersion s)),
-        ("scene_sha256", Text (hash (printScene [] scene))),
-        -- As text, because many readers of JSON cannot represent 64 bits.
-        ("seed", Text (show (sceneSeed scene))),
-        ("width", Whole width),
-        ("height", Whole height),
-        ("first_row", Whole (fst (statsRows s))),
-        ("rows", Whole rows),
-        ("workers", Whole (workersCount (statsWorkers s))),
-        ("samples_per_pixel", Whole (sceneSamples scene)),
-        ("rays", Whole (round (pixels * raysOfPixel))),
-        ("rays_estimated", Truth adaptive),
-        ("rays_per_second", if statsTrace s > 0 then Number (pixels * raysOfPixel / statsTrace s) else Null),
-        ("seconds", Object [("trace", Number (statsTrace s)), ("develop_and_write", Number (statsFinish s))]),
-        ("peak_memory_bytes", maybe Null (Whole . fromInteger) (statsPeakMemory s)),
-        ("not_finite_pixels", Whole (fst (statsFaults s))),
-        ("first_not_finite_pixel", maybe Null (\(x, y) -> List [Whole x, Whole y]) (snd (statsFaults s))),
-        ("estimates", maybe Null estimates found),
-        ("error_bounds", maybe Null bounds found)
-      ]
+statsJson :: Stats -> Json
+statsJson s =
+  Object
+    [ ("version", Text (statsVersion s)),
+      ("scene_sha256", Text (hash (printScene [] scene))),
+      -- As text, because many readers of JSON cannot represent 64 bits.
+      ("seed", Text (show (sceneSeed scene))),
+      ("width", Whole width),
+      ("height", Whole height),
+      ("first_row", Whole (fst (statsRows s))),
+      ("rows", Whole rows),
+      ("workers", Whole (workersCount (statsWorkers s))),
+      ("samples_per_pixel", Whole (sceneSamples scene)),
+      ("rays", Whole (round (pixels * raysOfPixel))),
+      ("rays_estimated", Truth adaptive),
+      ("rays_per_second", if statsTrace s > 0 then Number (pixels * raysOfPixel / statsTrace s) else Null),
+      ("seconds", Object [("trace", Number (statsTrace s)), ("develop_and_write", Number (statsFinish s))]),
+      ("peak_memory_bytes", maybe Null (Whole . fromInteger) (statsPeakMemory s)),
+      ("not_finite_pixels", Whole (fst (statsFaults s))),
+      ("first_not_finite_pixel", maybe Null (\(x, y) -> List [Whole x, Whole y]) (snd (statsFaults s))),
+      ("estimates", maybe Null estimates found),
+      ("error_bounds", maybe Null bounds found)
+    ]
   where
     found = renderStatistics (statsSky s) scene (statsRows s)
     adaptive = mostSamples scene > sceneSamples scene
@@ -96,17 +94,16 @@ statsText s =
 -- | The statistics of @blackhole join@ as one JSON object, given the program's version,
 -- the scene, the number of tiles, the workers, the seconds, and the peak of the memory in
 -- bytes.
-joinStatsText :: String -> Scene -> Int -> Workers -> Double -> Maybe Integer -> Lazy.ByteString
-joinStatsText version scene tiles workers seconds memory =
-  Builder.toLazyByteString . Builder.stringUtf8 . renderJson $
-    Object
-      [ ("version", Text version),
-        ("width", Whole width),
-        ("height", Whole height),
-        ("tiles", Whole tiles),
-        ("workers", Whole (workersCount workers)),
-        ("seconds", Number seconds),
-        ("peak_memory_bytes", maybe Null (Whole . fromInteger) memory)
-      ]
+joinStatsJson :: String -> Scene -> Int -> Workers -> Double -> Maybe Integer -> Json
+joinStatsJson version scene tiles workers seconds memory =
+  Object
+    [ ("version", Text version),
+      ("width", Whole width),
+      ("height", Whole height),
+      ("tiles", Whole tiles),
+      ("workers", Whole (workersCount workers)),
+      ("seconds", Number seconds),
+      ("peak_memory_bytes", maybe Null (Whole . fromInteger) memory)
+    ]
   where
     Picture width height = scenePicture scene

@@ -14,6 +14,7 @@ import BlackHole.Explore.Reply
 import BlackHole.Image.AtomicFile
 import BlackHole.Image.Coding
 import BlackHole.Image.Destination
+import BlackHole.Image.Metadata (software)
 import BlackHole.Image.Write
 import BlackHole.Render.Film
 import BlackHole.Scene.Camera (Picture (..))
@@ -108,7 +109,7 @@ startJob hall scene format name = do
           exposed <- exposeFilm picture (studioWorkers studio) (\done -> atomically (writeTVar state (JobRuns name (fromIntegral done / fromIntegral rows)))) scene (0, rows)
           case exposed of
             Nothing -> failed "the scene cannot be traced"
-            Just light -> case pictureEncoder (studioWorkers studio) (studioSoftware studio) format defaultCoding (scene :| []) (pure . countsRow scene light) of
+            Just light -> case pictureEncoder (studioWorkers studio) software format defaultCoding (scene :| []) (pure . countsRow scene light) of
               Nothing -> failed "the picture is too large for this format"
               Just write -> do
                 written <- writeAtomically name (toHandle >=> write (pure . filmRows (exposedLight light)))

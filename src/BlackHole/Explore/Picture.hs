@@ -36,8 +36,6 @@ import qualified Data.Vector.Storable as Vector
 -- | What all pictures share.
 data Studio = Studio
   { studioWorkers :: !Workers,
-    -- | The program's name and version, which picture files record.
-    studioSoftware :: !String,
     -- | The environment map of a scene, if it needs one, or one line that says what is
     -- wrong with it.
     studioSky :: Scene -> IO (Either String (Maybe EnvironmentMap)),
@@ -77,7 +75,7 @@ quickly :: Studio -> Int -> Scene -> Film -> IO Lazy.ByteString
 quickly studio quality scene film = do
   recorded <- opticsFilm workers scene film
   codes <- developFilm workers (sceneDevelopment scene) recorded
-  pure (encodeJpeg quality (Metadata (studioSoftware studio) defaultCoding Bytes.empty) codes)
+  pure (encodeJpeg quality (Metadata software defaultCoding Bytes.empty) codes)
   where
     -- Workers that wait for each other take longer than the work on a small picture,
     -- above all where other programs want the processors too.
@@ -121,7 +119,7 @@ completed studio sky scene earlier progress = case (tracerWithSky sky scene, pix
 
 -- | The PNG file of a film: the bytes that @render@ writes.
 finishedPng :: Studio -> Scene -> Exposed -> IO (Maybe Lazy.ByteString)
-finishedPng studio scene = pictureBytes (studioWorkers studio) (studioSoftware studio) Png defaultCoding (scene :| [])
+finishedPng studio scene = pictureBytes (studioWorkers studio) software Png defaultCoding (scene :| [])
 
 -- | A small JPEG of a scene, 240 pixels wide, with one worker.
 thumbnail :: Studio -> Scene -> IO (Maybe Lazy.ByteString)

@@ -4,7 +4,7 @@ module BlackHole.Figure.RayFan
     defaultRayFan,
     fanImpactParameters,
     RayClass (..),
-    classifyRay,
+    rayClass,
     rayFanFigure,
   )
 where
@@ -68,12 +68,9 @@ data RayClass
     Winding
   deriving (Eq, Show, Enum, Bounded)
 
--- | The class of a ray from infinity with this impact parameter, at least 0.
-classifyRay :: Double -> RayClass
-classifyRay = classOf . trajectoryFromInfinity fanSight
-
-classOf :: Trajectory -> RayClass
-classOf trajectory = case trajectoryFate trajectory of
+-- | The class of a ray.
+rayClass :: Trajectory -> RayClass
+rayClass trajectory = case trajectoryFate trajectory of
   Escapes angle | angle < 2 * pi -> Escaping
   Captured angle | angle < 2 * pi -> Falling
   _ -> Winding
@@ -117,7 +114,7 @@ rayFanFigure fan@(RayFan _ extent width) =
         | kind <- [Escaping, Falling, Winding],
           b <- fanImpactParameters fan,
           let trajectory = trajectoryFromInfinity fanSight (abs b),
-          classOf trajectory == kind
+          rayClass trajectory == kind
       ]
     drawnRay (kind, trajectory, mirrored) =
       case map (spot mirrored) (trajectoryPoints (1.6 * extent) 0.03 trajectory) of

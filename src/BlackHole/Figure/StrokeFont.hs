@@ -5,7 +5,7 @@
 module BlackHole.Figure.StrokeFont
   ( textLines,
     textWidth,
-    hasGlyph,
+    glyph,
   )
 where
 
@@ -21,12 +21,6 @@ textLines size = snd . layOut size
 -- | The width of that text, in the unit of the size.
 textWidth :: Double -> [Run] -> Double
 textWidth size = fst . layOut size
-
--- | Whether the font contains the character.
-hasGlyph :: Char -> Bool
-hasGlyph c = case glyph c of
-  Just _ -> True
-  Nothing -> False
 
 layOut :: Double -> [Run] -> (Double, [[XY]])
 layOut size = go 0

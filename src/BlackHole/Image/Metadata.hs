@@ -1,6 +1,7 @@
 -- | The metadata of a picture file: everything that is needed to render the picture again.
 module BlackHole.Image.Metadata
-  ( Metadata (..),
+  ( software,
+    Metadata (..),
     metadataText,
     parseMetadata,
   )
@@ -10,7 +11,13 @@ import BlackHole.Image.Coding
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Char8 as Characters
 import Data.List (intercalate, stripPrefix)
+import Data.Version (showVersion)
+import qualified Paths_blackhole as Package
 import Text.Read (readMaybe)
+
+-- | Name and version of this program, which picture files record.
+software :: String
+software = "blackhole " ++ showVersion Package.version
 
 -- | The program that made the file, the coding of the pixels, and the scene as the text
 -- of a scene file (UTF-8, ending with a newline).
@@ -37,10 +44,10 @@ metadataText metadata = Characters.pack (firstLine ++ "\n") <> metadataScene met
 parseMetadata :: ByteString -> Maybe Metadata
 parseMetadata text = do
   let (firstLine, rest) = Characters.break (== '\n') text
-  software : settings <- splitOn ';' <$> stripPrefix mark (Characters.unpack firstLine)
+  maker : settings <- splitOn ';' <$> stripPrefix mark (Characters.unpack firstLine)
   pure
     Metadata
-      { metadataSoftware = software,
+      { metadataSoftware = maker,
         metadataCoding = Coding (setting "bits " settings) (setting "quality " settings),
         metadataScene = Characters.drop 1 rest
       }

@@ -4,8 +4,7 @@
 -- claimed by the header is checked before memory is allocated, and errors of a decoder
 -- become messages as well.
 module BlackHole.Image.Panorama
-  ( readPanorama,
-    readPanoramaBytes,
+  ( readPanoramaBytes,
     decodePanorama,
     panoramaFault,
     panoramaSize,
@@ -37,13 +36,6 @@ import System.IO.Error (ioeGetErrorString)
 maximumPanoramaPixels :: Int
 maximumPanoramaPixels = 8192 * 4096
 
--- | Reads an equirectangular picture, twice as wide as high: PNG, JPEG, plain TIFF or
--- Radiance HDR. Files with 8 or 16 bits per channel are interpreted as sRGB, and those
--- with floating-point numbers as linear. 'Left' holds a message without the file's
--- name. Takes about 0.2 µs per pixel.
-readPanorama :: FilePath -> IO (Either String EnvironmentMap)
-readPanorama file = readPanoramaBytes file >>= either (pure . Left) decodePanorama
-
 -- | The file's bytes if the file exists and has a plausible size, or a message.
 readPanoramaBytes :: FilePath -> IO (Either String Bytes.ByteString)
 readPanoramaBytes file = do
@@ -60,7 +52,10 @@ readPanoramaBytes file = do
         then pure Nothing
         else Just <$> Bytes.hGet handle (fromInteger size)
 
--- | The picture in a file's bytes, or a message.
+-- | The environment map in the bytes of an equirectangular picture, twice as wide as high:
+-- PNG, JPEG, plain TIFF or Radiance HDR. Files with 8 or 16 bits per channel are
+-- interpreted as sRGB, and those with floating-point numbers as linear. 'Left' holds a
+-- message without the file's name. Takes about 0.2 µs per pixel.
 decodePanorama :: Bytes.ByteString -> IO (Either String EnvironmentMap)
 decodePanorama bytes = do
   decoded <- try (evaluate (maybe (decodedByKind bytes) Left (panoramaFault bytes <|> swollen bytes)))

@@ -28,17 +28,17 @@ import Data.List.NonEmpty (NonEmpty (..))
 import Data.Maybe (fromMaybe)
 import Data.Vector.Storable (Vector)
 
--- | @pictureEncoder workers software format coding scenes countsOf@ is the encoder of a
+-- | @pictureEncoder workers program format coding scenes countsOf@ is the encoder of a
 -- picture of the mean light of some scenes. @countsOf@ returns the numbers of samples of
 -- a row. The encoder applies the optics of the first scene, whose layers the file has, and
--- then that of 'fileEncoder'; the metadata hold the program's name and version and the
+-- then that of 'fileEncoder'; the metadata hold @program@, its name and version, and the
 -- scenes. Bloom keeps a quarter of the picture's light in memory. Throws a user error if
 -- a band is missing. 'Nothing' if the picture is too large for the format. The bytes do
 -- not depend on the number of workers.
 pictureEncoder :: Workers -> String -> Format -> Coding -> NonEmpty Scene -> (Int -> IO (Vector Float)) -> Maybe (FilmBands -> Destination -> IO ())
-pictureEncoder workers software format coding scenes@(scene :| _) countsOf = do
+pictureEncoder workers program format coding scenes@(scene :| _) countsOf = do
   shape <- pixelShape width height 3
-  encode <- fileEncoder workers format (pictureMetadata software coding scenes) (sceneDevelopment scene) layers (width, height)
+  encode <- fileEncoder workers format (pictureMetadata program coding scenes) (sceneDevelopment scene) layers (width, height)
   Just $ \sharpRows destination -> do
     bands <- opticsBands workers scene shape sharpRows
     complete <- maybe (pure False) (`encode` destination) bands
@@ -51,12 +51,12 @@ pictureEncoder workers software format coding scenes@(scene :| _) countsOf = do
 
 -- | The bytes that 'pictureEncoder' writes for a whole film in memory.
 pictureBytes :: Workers -> String -> Format -> Coding -> NonEmpty Scene -> Exposed -> IO (Maybe Lazy.ByteString)
-pictureBytes workers software format coding scenes@(scene :| _) exposed =
-  traverse written (pictureEncoder workers software format coding scenes (pure . countsRow scene exposed))
+pictureBytes workers program format coding scenes@(scene :| _) exposed =
+  traverse written (pictureEncoder workers program format coding scenes (pure . countsRow scene exposed))
   where
     written write = snd <$> inMemory (write (pure . filmRows (exposedLight exposed)))
 
 -- | The metadata of a picture of some scenes.
 pictureMetadata :: String -> Coding -> NonEmpty Scene -> Metadata
-pictureMetadata software coding scenes =
-  Metadata software coding (joinBlurredScenes (fmap (strict . Builder.stringUtf8 . printScene []) scenes))
+pictureMetadata program coding scenes =
+  Metadata program coding (joinBlurredScenes (fmap (strict . Builder.stringUtf8 . printScene []) scenes))

@@ -7,15 +7,12 @@
 -- Pass g T wherever a function takes a temperature; no further power of g is needed.
 module BlackHole.Light.BlackBody
   ( secondRadiationConstant,
-    spectralRadiance,
     blackBodyXyz,
     blackBodyChromaticity,
     unmappedColour,
     blackBodyColour,
     logLuminance,
-    blackBodyLuminance,
     bolometricIntensity,
-    visibleIntensity,
   )
 where
 
@@ -29,18 +26,6 @@ import Numeric (expm1)
 secondRadiationConstant :: Double
 secondRadiationConstant =
   1e9 * planckConstant * lightSpeed / boltzmannConstant
-
--- | Planck's law: @spectralRadiance wavelength temperature@ in W sr⁻¹ m⁻² nm⁻¹, with
--- the wavelength in nanometres. 0 if the temperature is not positive.
-spectralRadiance :: Double -> Double -> Double
-spectralRadiance wavelength temperature
-  | temperature > 0 =
-    1e-9 * 2 * planckConstant * lightSpeed * lightSpeed
-      / (metres ^ (5 :: Int) * expm1 z)
-  | otherwise = 0
-  where
-    metres = 1e-9 * wavelength
-    z = secondRadiationConstant / (wavelength * temperature)
 
 -- | Tristimulus values scaled to Y = 1, for every temperature. Below 1 K, and for zero,
 -- negative values and NaN, the limit T → 0: the deep red of the longest wavelength.
@@ -70,7 +55,7 @@ unmappedColour = radianceOfXyz . blackBodyXyz
 blackBodyColour :: Double -> Radiance
 blackBodyColour = desaturateIntoGamut . unmappedColour
 
--- | The natural logarithm of 'blackBodyLuminance', which itself underflows below about
+-- | The natural logarithm of the luminance in cd/m², which itself underflows below about
 -- 24 K. Minus infinity if the temperature is not positive.
 logLuminance :: Double -> Double
 logLuminance temperature
@@ -86,11 +71,6 @@ logLuminance temperature
       683 * 2 * lightSpeed * boltzmannConstant * 1e-9
         / (1e-9 * pivotWavelength) ^ (4 :: Int)
 
--- | The luminance of a black body in cd/m²: 6e5 at the freezing point of platinum, the
--- old definition of the candela. 0 if the temperature is not positive.
-blackBodyLuminance :: Double -> Double
-blackBodyLuminance = exp . logLuminance
-
 -- | @bolometricIntensity reference temperature@ is the radiance over all wavelengths
 -- relative to that of a black body at the reference temperature, (T/T₀)⁴.
 bolometricIntensity :: Double -> Double -> Double
@@ -99,13 +79,6 @@ bolometricIntensity reference temperature = square (square ratio)
     ratio = temperature / reference
     square a = a * a
 {-# INLINE bolometricIntensity #-}
-
--- | @visibleIntensity reference temperature@ is the luminance relative to that of a
--- black body at the reference temperature, which is what a camera records. It falls
--- much faster than T⁴ towards the red and rises only as T towards the blue.
-visibleIntensity :: Double -> Double -> Double
-visibleIntensity reference temperature =
-  exp (logLuminance temperature - logLuminance reference)
 
 -- | XYZ of (λ₀/λ)⁴ z e^{z₁}/(e^z − 1) with z = hc/(λkT): Planck's spectrum without the
 -- factors that do not depend on the wavelength. Taking out e^{−z₁}, with z₁ at the

@@ -5,9 +5,7 @@
 module BlackHole.Light.Cie
   ( Xyz (..),
     xyzOfSpectrum,
-    chromaticityXy,
     radianceOfXyz,
-    xyzOfRadiance,
   )
 where
 
@@ -49,15 +47,6 @@ xyzOfSpectrum power = go 0 0 0 0
     firstWavelength = 360
 {-# INLINE xyzOfSpectrum #-}
 
--- | The chromaticity coordinates (x, y); 'Nothing' if X + Y + Z is not a positive
--- finite number (black has no colour).
-chromaticityXy :: Xyz -> Maybe (Double, Double)
-chromaticityXy (Xyz x y z)
-  | total > 0 && not (isInfinite total) = Just (x / total, y / total)
-  | otherwise = Nothing
-  where
-    total = x + y + z
-
 -- | Converts XYZ to linear Rec. 709 with its D65 white at (0.3127, 0.3290), by the
 -- matrix that follows from the primaries of BT.709. A colour outside the triangle of
 -- the primaries has a negative component; see
@@ -69,15 +58,6 @@ radianceOfXyz (Xyz x y z) =
     (1.8759675015077206 * y - 0.9692436362808798 * x + 0.04155505740717561 * z)
     (0.05563007969699361 * x - 0.20397695888897657 * y + 1.0569715142428786 * z)
 {-# INLINE radianceOfXyz #-}
-
--- | Converts linear Rec. 709 to XYZ; the inverse of 'radianceOfXyz'.
-xyzOfRadiance :: Radiance -> Xyz
-xyzOfRadiance (Radiance r g b) =
-  Xyz
-    (0.4123907992659595 * r + 0.35758433938387796 * g + 0.1804807884018343 * b)
-    (0.21263900587151036 * r + 0.7151686787677559 * g + 0.07219231536073371 * b)
-    (0.01933081871559185 * r + 0.11919477979462599 * g + 0.9505321522496606 * b)
-{-# INLINE xyzOfRadiance #-}
 
 wavelengthCount :: Int
 wavelengthCount = U.length matchingFunctions `div` 3

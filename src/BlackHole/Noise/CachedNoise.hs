@@ -10,11 +10,11 @@ module BlackHole.Noise.CachedNoise
   ( CachedNoise,
     cacheNoise,
     cachedPoints,
-    cachedAmplitudes,
     cachedPerlin3,
   )
 where
 
+import BlackHole.Noise.Gradient
 import BlackHole.Noise.Lattice
 import BlackHole.Noise.PerlinG
 import BlackHole.Noise.Profile (Profile, layers)
@@ -85,13 +85,6 @@ gradientsOfLines seed (CellBox l x y z _ ny nz _) from to = runPrimArray $ do
 -- | The number of lattice points in the table.
 cachedPoints :: CachedNoise -> Int
 cachedPoints = sizeofPrimArray . cachedGradients
-
--- | The amplitudes of the levels, from coarse to fine.
-cachedAmplitudes :: CachedNoise -> [Double]
-cachedAmplitudes noise =
-  [indexPrimArray reals i | i <- [0, realFields .. sizeofPrimArray reals - 1]]
-  where
-    reals = cachedReals noise
 
 -- | @rememberedPerlin3 noise count place@ is the sum over the first @count@ levels,
 -- from coarse to fine; a fractional @count@ weights the last level by its fraction.

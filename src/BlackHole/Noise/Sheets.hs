@@ -29,8 +29,9 @@ module BlackHole.Noise.Sheets
   )
 where
 
+import BlackHole.Noise.Gradient (gradientNumber2, interpolateGradients2)
 import BlackHole.Noise.Lattice (clampedLevel, latticePoint2)
-import BlackHole.Noise.PerlinG (Seed, gradientNumber2, interpolateGradients2, latticeHash2)
+import BlackHole.Noise.PerlinG (Seed, latticeHash2)
 import BlackHole.Numeric.Floor
 import Data.Bits (unsafeShiftL, (.&.))
 import Data.Primitive.PrimArray

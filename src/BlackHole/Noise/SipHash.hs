@@ -5,12 +5,11 @@
 -- short-input PRF").
 --
 -- The noise takes its random values from it, with the seed as the key (Will Yager,
--- "Accurately Rendering a Black Hole", section "Texture Generation"). 'sipHash' takes
--- any byte string. 'sipHash2' and 'sipHash3' take a few 64-bit words, allocate nothing,
--- and return the value of 'sipHash' for the words' bytes in little-endian order.
+-- "Accurately Rendering a Black Hole", section "Texture Generation"). 'sipHash2' and
+-- 'sipHash3' take a few 64-bit words, whose bytes in little-endian order are the message,
+-- and allocate nothing.
 module BlackHole.Noise.SipHash
   ( SipKey (..),
-    sipHash,
     sipHash2,
     sipHash3,
     SipState,
@@ -20,8 +19,6 @@ module BlackHole.Noise.SipHash
 where
 
 import Data.Bits (unsafeShiftL, unsafeShiftR, xor, (.|.))
-import qualified Data.ByteString as Bytes
-import Data.ByteString.Unsafe (unsafeIndex)
 import Data.Word (Word64)
 
 -- | The 128-bit key: the first eight and the last eight of its bytes, each half read in
@@ -36,24 +33,6 @@ data SipState
       {-# UNPACK #-} !Word64
       {-# UNPACK #-} !Word64
       {-# UNPACK #-} !Word64
-
--- | The hash of a byte string of any length, in time linear in the length.
-sipHash :: SipKey -> Bytes.ByteString -> Word64
-sipHash key bytes = go 0 (initial key)
-  where
-    len = Bytes.length bytes
-    go !start !state
-      | len - start >= 8 = go (start + 8) (absorb (word start 8) state)
-      | otherwise = finish (lengthByte .|. word start (len - start)) state
-    -- The last block ends with the length modulo 256.
-    lengthByte = fromIntegral len `unsafeShiftL` 56
-    -- The bytes from start: fewer than nine, and inside the string.
-    word start count = gather 0 0
-      where
-        gather !i !acc
-          | i >= count = acc
-          | otherwise = gather (i + 1) (acc .|. (byteAt (start + i) `unsafeShiftL` (8 * i)))
-    byteAt i = fromIntegral (unsafeIndex bytes i) :: Word64
 
 -- | The hash of two words, which are 16 bytes.
 sipHash2 :: SipKey -> Word64 -> Word64 -> Word64

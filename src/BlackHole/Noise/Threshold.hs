@@ -14,6 +14,7 @@ module BlackHole.Noise.Threshold
   )
 where
 
+import BlackHole.Noise.Gradient
 import BlackHole.Noise.Lattice
 import BlackHole.Noise.PerlinG
 import BlackHole.Noise.Profile (Profile, layers)

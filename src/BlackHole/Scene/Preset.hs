@@ -105,7 +105,7 @@ interstellarScene =
                 diskFade = 0.85,
                 diskThickness = 0.05,
                 diskOpacity = 4,
-                diskBrightness = 2,
+                diskBrightness = 2.6,
                 diskArms = 0,
                 diskTurbulenceFrequency = 18,
                 diskHaze = 0.006,
@@ -195,7 +195,7 @@ kerrScene = maybe defaultScene around (spin 0.998)
   where
     around hole =
       defaultScene
-        { sceneCamera = Camera (Around 40 (Degrees 86) (Degrees 90)) (Degrees 0) (Degrees 33),
+        { sceneCamera = Camera (Around 40 (Degrees 86) (Degrees 90)) (Degrees 0) (Degrees 35),
           sceneSpacetime = Kerr hole,
           -- The gas is hottest in a narrow ring; as bright as the default's it would leave
           -- the rest of the disk dark.
@@ -253,7 +253,7 @@ reportScene =
         Camera
           { cameraPose = LookAt (XYZ 0 5 25) (XYZ 0 0 0),
             cameraRoll = Degrees 0,
-            cameraFieldOfView = Degrees 28
+            cameraFieldOfView = Degrees 31
           },
       sceneObserver = Coordinate,
       sceneIntegrator = Leapfrogging,

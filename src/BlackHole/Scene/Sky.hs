@@ -1,7 +1,6 @@
 -- | The celestial sphere: what lies behind everything, infinitely far away.
 module BlackHole.Scene.Sky
   ( Sky (..),
-    skyName,
     Stars (..),
     reportStars,
     defaultStars,
@@ -33,17 +32,6 @@ data Sky
   | -- | Dark.
     SkyNone
   deriving (Eq, Show)
-
--- | The name on the command line; for an environment map, the file's name.
-skyName :: Sky -> String
-skyName sky = case sky of
-  SkyNoise _ -> "noise"
-  SkyStars _ -> "stars"
-  SkyRandomStars _ -> "random-stars"
-  SkyPanorama panorama -> panoramaFile panorama
-  SkyGrid -> "grid"
-  SkyUniform _ -> "uniform"
-  SkyNone -> "none"
 
 -- | Stars of noise: there is a star where the noise exceeds the threshold:
 -- @brightness · 1/(1 + e^{−sharpness·(noise − threshold)})@.

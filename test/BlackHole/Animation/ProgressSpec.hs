@@ -13,7 +13,5 @@ spec = do
   it "counts neither frames that were there nor those of others as its own pace" $ do
     framesPerSecond (Tally 48 40 2 0 3 0 4) `shouldBe` Just 0.5
     secondsLeft (Tally 48 40 2 0 3 0 4) `shouldBe` Just 6
-  it "draws a bar from empty to full" $ do
-    map (progressBar 10) [startTally 4, Tally 4 1 1 0 0 0.5 1, Tally 4 2 2 0 0 0 1, Tally 4 2 2 0 0 1 1] `shouldBe` ["[          ]", "[======    ]", "[==========]", "[==========]"]
   it "writes times" $ map durationText [0, 59.4, 61, 3661, 1 / 0, -1] `shouldBe` ["0:00", "0:59", "1:01", "1:01:01", "277777:46:40", "0:00"]
   it "puts neighbouring frames together" $ map frameRanges [[], [3], [0, 1, 2, 5, 7, 8]] `shouldBe` ["none", "3", "0-2, 5, 7-8"]

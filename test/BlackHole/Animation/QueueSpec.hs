@@ -1,10 +1,10 @@
 module BlackHole.Animation.QueueSpec (spec) where
 
-import BlackHole.Animation.Digest
 import BlackHole.Animation.FrameName
 import BlackHole.Animation.FrameStore
 import BlackHole.Animation.Lease
 import BlackHole.Animation.Queue
+import BlackHole.Image.Digest
 import Control.Concurrent (newEmptyMVar, putMVar, takeMVar, threadDelay)
 import Control.Concurrent.Async (async, cancel, concurrently)
 import Control.Exception (ErrorCall (..), throwIO)

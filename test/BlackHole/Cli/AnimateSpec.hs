@@ -1,7 +1,7 @@
 module BlackHole.Cli.AnimateSpec (spec) where
 
 import BlackHole.Animation.Animation
-import BlackHole.Cli.Animate
+import BlackHole.Cli.Animate.Options
 import BlackHole.Cli.AnimationScene
 import BlackHole.Cli.SceneOptions
 import BlackHole.Scene.Preset
@@ -91,4 +91,4 @@ spec = do
         filter (not . ("animation" `isPrefixOf`)) <$> listDirectory folder `shouldReturn` []
     adjusted arguments =
       (\options -> let animation = adjustAnimation options (stillAnimation defaultScene) in (animationFrames animation, animationRate animation))
-        <$> getParseResult (execParserPure defaultPrefs (info (animateOptions (pure ())) mempty) arguments)
+        <$> getParseResult (execParserPure defaultPrefs (info animateOptions mempty) arguments)

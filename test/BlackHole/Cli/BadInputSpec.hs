@@ -5,11 +5,11 @@ module BlackHole.Cli.BadInputSpec (spec) where
 import BlackHole.Cli.Help (Entry (..), parserEntries)
 import BlackHole.Cli.Join (openTiles)
 import BlackHole.Cli.Options
+import BlackHole.Cli.Render.Options (renderScene)
 import BlackHole.Cli.SceneOptions
 import BlackHole.Image.Coding
 import BlackHole.Image.File
 import BlackHole.Image.Metadata (Metadata (..))
-import BlackHole.Image.Panorama (readPanorama)
 import BlackHole.Light.Display
 import BlackHole.Light.Dither
 import BlackHole.Light.Radiance (isFiniteRadiance)
@@ -29,6 +29,7 @@ import qualified Data.ByteString.Lazy as Lazy
 import Data.List (intercalate)
 import qualified Data.Vector.Storable as Vector
 import Support.Exposing
+import Support.Panorama
 import Support.Program (quietly)
 import System.Exit (ExitCode (..))
 import System.FilePath ((</>))

@@ -2,6 +2,7 @@ module BlackHole.Cli.ExplainSpec (spec) where
 
 import BlackHole.Cli.Explain
 import BlackHole.Cli.Options
+import BlackHole.Cli.Render.Options
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene

@@ -1,8 +1,9 @@
 module BlackHole.Cli.OptionsSpec (spec) where
 
 import BlackHole.Cli.Options
-import BlackHole.Cli.Photon (PhotonOptions (..))
+import BlackHole.Cli.Photon.Options (PhotonOptions (..))
 import BlackHole.Cli.Rays (RaysOptions (..))
+import BlackHole.Cli.Render.Options
 import BlackHole.Cli.SceneOptions (resolveScene)
 import BlackHole.Light.Display (Exposure (..), ToneMap (..))
 import BlackHole.Light.Dither (Dither (..))

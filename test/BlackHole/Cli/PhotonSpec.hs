@@ -1,7 +1,8 @@
 module BlackHole.Cli.PhotonSpec (spec) where
 
 import BlackHole.Cli.Options (Parsed (..), parseArguments)
-import BlackHole.Cli.Photon
+import BlackHole.Cli.Photon.Options
+import BlackHole.Cli.Photon.Report
 import BlackHole.Scene.Problem
 import qualified Data.ByteString.Lazy.Char8 as Lazy
 import Data.List (isInfixOf, isPrefixOf)

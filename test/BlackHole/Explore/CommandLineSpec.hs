@@ -1,6 +1,7 @@
 module BlackHole.Explore.CommandLineSpec (spec) where
 
 import BlackHole.Cli.Options
+import BlackHole.Cli.Render.Options (RenderOptions (renderScene))
 import BlackHole.Cli.SceneOptions
 import BlackHole.Explore.CommandLine
 import BlackHole.Scene.Field.Kind

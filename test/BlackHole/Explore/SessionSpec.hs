@@ -11,6 +11,7 @@ import BlackHole.Explore.Picture
 import BlackHole.Explore.Service
 import BlackHole.Explore.Session
 import BlackHole.Image.Coding (Format (..), defaultCoding)
+import BlackHole.Image.Metadata (software)
 import BlackHole.Image.Write
 import BlackHole.Render.Film
 import BlackHole.Render.Workers
@@ -43,7 +44,7 @@ spec = do
       (frameStage (head frames), Bytes.take 2 (framePicture (head frames))) `shouldBe` (0, "\xff\xd8")
       let scene = defaultScene {scenePicture = Picture 48 27}
       exposed <- exposeFilm Nothing oneWorker (const (pure ())) scene (0, 27)
-      expected <- maybe (pure Nothing) (pictureBytes oneWorker "test" Png defaultCoding (scene :| [])) exposed
+      expected <- maybe (pure Nothing) (pictureBytes oneWorker software Png defaultCoding (scene :| [])) exposed
       Just (Lazy.fromStrict (framePicture (last frames))) `shouldBe` expected
   it "refines to the same bytes whatever came before" $
     withPage $ \page -> do
@@ -102,7 +103,7 @@ spec = do
       written <- Lazy.readFile "hole.png"
       let scene = defaultScene {scenePicture = Picture 32 18}
       exposed <- exposeFilm Nothing oneWorker (const (pure ())) scene (0, 18)
-      expected <- maybe (pure Nothing) (pictureBytes oneWorker "test" Png defaultCoding (scene :| [])) exposed
+      expected <- maybe (pure Nothing) (pictureBytes oneWorker software Png defaultCoding (scene :| [])) exposed
       Just written `shouldBe` expected
   it "keeps the scenes of two pages apart" $
     withPage $ \one -> do
@@ -133,7 +134,7 @@ data Page = Page
 -- | A page of a new hall, in a folder of its own.
 withPage :: (Page -> IO ()) -> IO ()
 withPage action = withSystemTempDirectory "blackhole" $ \folder -> withCurrentDirectory folder $ do
-  hall <- newHall (Studio oneWorker "test" (const (pure (Right Nothing))) (\_ _ -> pure Nothing)) ("default", defaultScene) (Builder.toLazyByteString . Builder.stringUtf8 . renderJson . replyJson)
+  hall <- newHall (Studio oneWorker (const (pure (Right Nothing))) (\_ _ -> pure Nothing)) ("default", defaultScene) (Builder.toLazyByteString . Builder.stringUtf8 . renderJson . replyJson)
   page <- another hall
   outcome <- timeout 120000000 (withAsync (converse hall (pageTalk page)) (\running -> link running >> action page))
   outcome `shouldBe` Just ()

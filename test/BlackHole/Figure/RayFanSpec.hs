@@ -2,10 +2,13 @@ module BlackHole.Figure.RayFanSpec (spec) where
 
 import BlackHole.Figure.Figure
 import BlackHole.Figure.RayFan
-import BlackHole.Figure.StrokeFont (hasGlyph)
+import BlackHole.Figure.StrokeFont (glyph)
+import BlackHole.Numeric.Angle (Radians (..))
 import BlackHole.Spacetime.Schwarzschild.Radii (criticalImpactParameter)
+import BlackHole.Spacetime.Schwarzschild.Trajectory (Sight (..), trajectoryFromInfinity)
 import BlackHole.Vector.XY (XY (..))
 import Data.List (sort)
+import Data.Maybe (isNothing)
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck
@@ -23,7 +26,7 @@ spec = do
       let near = [abs b / criticalImpactParameter - 1 | b <- fanImpactParameters defaultRayFan, abs (abs b / criticalImpactParameter - 1) < 2e-3]
       map (round . (* 1e5)) near `shouldMatchList` ([100, -100, 100, -100] :: [Int])
   it "rays are classed by their fate and by their turns" $
-    map classifyRay [0, 1, 2.5, 2.598, 2.6, 2.65, 2.8, 7]
+    map (rayClass . trajectoryFromInfinity (Sight (Radians 0) (Radians 0))) [0, 1, 2.5, 2.598, 2.6, 2.65, 2.8, 7]
       `shouldBe` [Falling, Falling, Falling, Winding, Winding, Winding, Escaping, Escaping]
   describe "the figure" $ do
     it "has one line per ray, and colours for all three classes" $ do
@@ -47,7 +50,7 @@ spec = do
       let leftEnds = sort [y | Clipped (Box _ top _ height) shapes <- figureShapes figure, Polyline (Stroke _ _ Nothing) (XY _ py : _) <- shapes, let y = py - top - 0.5 * height]
       zip leftEnds (reverse leftEnds) `shouldSatisfy` all (\(a, b) -> abs (a + b) < 1e-6)
     it "uses only characters that the line font has" $
-      filter (not . hasGlyph) (concat [concatMap characters (labelRuns l) | extent <- [4, 8, 90], Words l <- figureShapes (rayFanFigure defaultRayFan {fanExtent = extent})])
+      filter (isNothing . glyph) (concat [concatMap characters (labelRuns l) | extent <- [4, 8, 90], Words l <- figureShapes (rayFanFigure defaultRayFan {fanExtent = extent})])
         `shouldBe` ""
   where
     figure = rayFanFigure defaultRayFan

@@ -12,6 +12,7 @@ import qualified Data.ByteString.Char8 as Char8
 import qualified Data.ByteString.Lazy as Lazy
 import Data.List (isInfixOf)
 import Support.Approx
+import Support.Panorama
 import System.FilePath ((</>))
 import System.IO.Temp (withSystemTempDirectory)
 import System.Mem (getAllocationCounter)

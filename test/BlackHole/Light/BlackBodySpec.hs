@@ -3,6 +3,7 @@ module BlackHole.Light.BlackBodySpec (spec) where
 import BlackHole.Light.BlackBody
 import BlackHole.Light.Cie
 import BlackHole.Light.Radiance
+import Support.Light
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck

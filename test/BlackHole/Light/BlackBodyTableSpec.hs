@@ -3,6 +3,7 @@ module BlackHole.Light.BlackBodyTableSpec (spec) where
 import BlackHole.Light.BlackBody
 import BlackHole.Light.BlackBodyTable
 import BlackHole.Light.Radiance
+import Support.Light
 import Test.Hspec
 
 spec :: Spec

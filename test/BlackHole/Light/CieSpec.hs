@@ -2,6 +2,7 @@ module BlackHole.Light.CieSpec (spec) where
 
 import BlackHole.Light.Cie
 import BlackHole.Light.Radiance
+import Support.Light
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 

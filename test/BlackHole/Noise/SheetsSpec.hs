@@ -1,10 +1,10 @@
 module BlackHole.Noise.SheetsSpec (spec) where
 
+import BlackHole.Noise.Gradient
 import BlackHole.Noise.Lattice
 import BlackHole.Noise.PerlinG
 import BlackHole.Noise.Sheets
 import BlackHole.Vector.XY (XY (..))
-import Data.Functor.Identity (Identity (..))
 import Support.Allocation
 import Support.Approx
 import Support.Generators
@@ -86,7 +86,7 @@ spec = do
     spread step i = let x = step * fromIntegral i in x - fromIntegral (floor x :: Int)
     tilts = iterate (+ 2.399963229728653) 0.7
 
--- | The same noise by 'noise2With': the hash of a lattice point is that of the
+-- | The same noise by 'interpolate2': the hash of a lattice point is that of the
 -- point a whole number of turns and heights away.
 hashed :: Int -> [(Double, Double)] -> Double -> Double -> Double -> Double
 hashed count octaves turns v height =
@@ -100,4 +100,5 @@ hashed count octaves turns v height =
           x = size * (8 * turns + cos tilt * height)
           y = size * (v + sin tilt * height)
           wrapped p = latticePoint2 l ((pointX2 p - middleIndex l) `mod` (8 * 2 ^ i)) ((pointY2 p - middleIndex l) `mod` (32 * 2 ^ i))
-       in amplitude * runIdentity (noise2With (Identity . latticeHash2 (Seed 42) . wrapped) l (XY (x / cells) (y / cells)))
+          inCell cell = interpolate2 cell (cornerHashes2 (latticeHash2 (Seed 42) . wrapped) cell)
+       in amplitude * maybe 0 (inCell . cellAround2 l) (onGrid2 (XY (x / cells) (y / cells)))

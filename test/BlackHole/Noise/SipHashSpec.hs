@@ -2,13 +2,14 @@
 
 module BlackHole.Noise.SipHashSpec (spec) where
 
-import BlackHole.Noise.SipHash (SipKey (..), sipAfter2, sipHash, sipHash2, sipHash3, sipThird)
+import BlackHole.Noise.SipHash (SipKey (..), sipAfter2, sipHash2, sipHash3, sipThird)
 import Data.Bits (shiftR)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (for_)
 import Data.Word (Word64, Word8)
+import Support.SipHash
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck ((===))

@@ -1,6 +1,6 @@
 module BlackHole.Trace.RealSkySpec (spec) where
 
-import BlackHole.Animation.Digest
+import BlackHole.Image.Digest
 import BlackHole.Light.Radiance
 import BlackHole.Numeric.Angle (Degrees (..))
 import BlackHole.Render.Film

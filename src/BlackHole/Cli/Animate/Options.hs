@@ -1,57 +1,44 @@
--- | @blackhole animate@: renders the frames of an animation, together with other processes and
--- across interruptions.
-module BlackHole.Cli.Animate
+-- | The options of @blackhole animate@.
+module BlackHole.Cli.Animate.Options
   ( AnimateOptions (..),
     ShardChoice (..),
     animateOptions,
     framePatternOf,
     adjustAnimation,
-    Ending (..),
-    runAnimation,
-    showStatus,
+    videoCodingOf,
+    paceProblems,
+    usageProblems,
+    idleBesideStatus,
   )
 where
 
 import BlackHole.Animation.Animation
 import BlackHole.Animation.CameraPath (CameraPath (Orbit))
-import BlackHole.Animation.FrameName
 import BlackHole.Animation.Interpolate (Interpolation (Linear))
-import BlackHole.Animation.Shoot
-import BlackHole.Animation.Status
 import BlackHole.Animation.Video
-import BlackHole.Cli.AnimateReport
-import BlackHole.Cli.AnimationScene (frameFaults, maximumFaults)
 import BlackHole.Cli.Check
 import BlackHole.Cli.CodingOptions (codingOptions)
-import BlackHole.Cli.Progress (ProgressMode (..))
 import BlackHole.Cli.Read
 import BlackHole.Cli.RunOptions
-import BlackHole.Image.AtomicFile (printable)
-import BlackHole.Image.Coding (Coding)
-import qualified BlackHole.Render.Film as Light
+import BlackHole.Cli.SceneOptions
+import BlackHole.Image.Coding (Coding (..))
 import BlackHole.Render.Shard
-import BlackHole.Render.Workers
-import BlackHole.Scene.Scene (Scene)
-import BlackHole.Scene.Validate
-import BlackHole.Trace.EnvironmentMap (EnvironmentMap)
+import BlackHole.Scene.Field.Field (fieldLabel)
+import BlackHole.Scene.Field.Table (findField)
+import BlackHole.Scene.Problem
+import BlackHole.Scene.Setting (Setting (settingPath))
 import BlackHole.Vector.XYZ (XYZ (..))
-import Control.Exception (IOException, try)
-import Control.Monad (unless, when)
-import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (isDigit, toLower)
 import Data.Foldable (toList)
 import Data.List (intercalate)
-import Data.List.NonEmpty (NonEmpty)
-import Data.Maybe (fromMaybe, isJust, listToMaybe)
+import Data.Maybe (fromMaybe, isJust)
 import Options.Applicative
-import System.Directory (doesDirectoryExist)
-import System.Environment (getEnvironment)
 import System.FilePath (takeExtension)
 import Text.Read (readMaybe)
 
--- | The options of @blackhole animate@, with those of the scene.
-data AnimateOptions scene = AnimateOptions
-  { animateScene :: !scene,
+-- | The options of @blackhole animate@.
+data AnimateOptions = AnimateOptions
+  { animateScene :: !SceneOptions,
     -- | The value of @--output@, if it is given; see 'framePatternOf'.
     animateOutput :: !(Maybe String),
     animateCoding :: !Coding,
@@ -76,21 +63,21 @@ data AnimateOptions scene = AnimateOptions
   deriving (Eq, Show)
 
 -- | The pattern of the frames' files, which 'parseFrameName' reads.
-framePatternOf :: AnimateOptions scene -> String
+framePatternOf :: AnimateOptions -> String
 framePatternOf = fromMaybe "frames/%05d.png" . animateOutput
 
--- | Which part of an animation to render.
+-- | The part of an animation to render.
 data ShardChoice
   = TheShard !Shard
   | -- | The part of this task of a Slurm array job.
     SlurmShard
   deriving (Eq, Show)
 
--- | The parser, around that of the scene's options.
-animateOptions :: Parser scene -> Parser (AnimateOptions scene)
-animateOptions scene =
+-- | Their parser.
+animateOptions :: Parser AnimateOptions
+animateOptions =
   AnimateOptions
-    <$> scene
+    <$> sceneOptions
     <*> setting (strOption (long "output" <> short 'o' <> metavar "PATTERN" <> action "file" <> help "Files of the frames; %05d stands for the frame number (default: frames/%05d.png)"))
     <*> codingOptions
     <*> setting (option number (long "orbit" <> metavar "DEGREES" <> help "Move the camera this far around the hole, about the disk's axis, instead of along the scene file's camera path; needs no scene file"))
@@ -126,7 +113,7 @@ shardChoice = eitherReader $ \text -> case (text, parseShard text) of
   _ -> Left ("'" ++ text ++ "' is not I/N with I from 1 to N, or slurm")
 
 -- | The animation as changed by the options.
-adjustAnimation :: AnimateOptions scene -> Animation -> Animation
+adjustAnimation :: AnimateOptions -> Animation -> Animation
 adjustAnimation options animation =
   animation
     { animationPath = maybe (animationPath animation) orbitBy (animateOrbit options),
@@ -147,96 +134,14 @@ adjustAnimation options animation =
     shutter = animationShutter animation
     orbitBy degrees = Just (Orbit (XYZ 0 1 0) (degrees / 360) Linear)
 
--- | How a run ended. All messages have been written.
-data Ending
-  = -- | All frames of this run are done, or other processes are rendering them.
-    Complete
-  | -- | Some frames or the video file are missing.
-    Incomplete
-  | -- | Invalid options.
-    WrongArguments
-  | -- | Invalid scene file.
-    InvalidAnimation
-  | -- | The frames or the video file cannot be written.
-    CannotStart
-  deriving (Eq, Show)
-
--- | Render the animation's frames, given a function that prints a message, the environment
--- map if the scene has one, a text that is equal for equal scenes, maps and versions of
--- the program, and a function that makes a frame's file. Also returns the run's result
--- and its workers, if it got that far.
-runAnimation ::
-  AnimateOptions scene ->
-  (String -> IO ()) ->
-  Maybe EnvironmentMap ->
-  (Scene -> String) ->
-  (Workers -> NonEmpty Scene -> Light.Exposed -> IO (Maybe Lazy.ByteString)) ->
-  Animation ->
-  IO (Ending, Maybe (Workers, Shot))
-runAnimation options say sky text develop animation = do
-  environment <- getEnvironment
-  coder <- findCoder
-  when (animationFrames animation > 20000 && animationFrames animation <= maximumFrames) $ say ("an animation of " ++ show (animationFrames animation) ++ " frames, which are checked first")
-  case plan options environment coder animation of
-    Left (ending, problems) -> (ending, Nothing) <$ mapM_ say problems
-    Right (name, frames, video) -> do
-      workers <- maybe defaultWorkers pure (workersFromCount =<< animateThreads options)
-      teller <- newTeller say mode
-      shot <-
-        try . withWorkers workers $
-          shoot (Shooting animation frames name (animatePatience options) workers video sky text (develop workers)) teller
-      clearLine mode
-      case shot of
-        Left refusal -> (CannotStart, Nothing) <$ say ("--output: the frames cannot be written: " ++ show (refusal :: IOException))
-        Right done -> do
-          -- In JSON, the last progress report is the summary.
-          unless (reportQuiet reported || mode == JsonProgress) $ say (summaryLine done)
-          mapM_ say (faultLines done)
-          pure (if isWhole done then Complete else Incomplete, Just (workers, done))
-  where
-    reported = animateReporting options
-    mode = progressMode reported
-
--- | The plan of a run, given the environment's variables and the path of ffmpeg: the
--- pattern of the files, the frames, and how to make the video file. 'Left' has one line
--- for each mistake.
-plan ::
-  AnimateOptions scene ->
-  [(String, String)] ->
-  Maybe FilePath ->
-  Animation ->
-  Either (Ending, [String]) (FrameName, [Int], Maybe (FilePath, VideoCoding, FilePath))
-plan options environment coder animation = do
-  refuse WrongArguments (map renderProblem (usageProblems options animation))
-  shard <- either (Left . (,) WrongArguments . pure . ("--shard: " ++)) Right (shardOf (animateShard options))
-  name <- either (Left . (,) WrongArguments . pure . (("--output: '" ++ output ++ "' is not ") ++)) Right (parseFrameName output)
-  refuse InvalidAnimation (map renderProblem (paceProblems options animation))
-  refuse InvalidAnimation (map renderProblem (animationProblems animation))
-  let frames = takeShard shard selected
-  refuse InvalidAnimation (take maximumFaults (frameFaults animation frames))
-  video <- traverse coded [(coding, file) | Just file <- [animateVideo options], Just coding <- [videoCodingOf options]]
-  Right (name, frames, listToMaybe video)
-  where
-    output = framePatternOf options
-    refuse ending problems = if null problems then Right () else Left (ending, problems)
-    shardOf choice = case choice of
-      Nothing -> Right wholeShard
-      Just (TheShard shard) -> Right shard
-      Just SlurmShard -> slurmShard (`lookup` environment)
-    selected = case animateFrames options of
-      Nothing -> [0 .. animationFrames animation - 1]
-      Just (from, to) -> [from .. fromMaybe (animationFrames animation - 1) to]
-    coded (coding, file) = case coder of
-      Just program -> Right (program, coding, file)
-      Nothing -> Left (CannotStart, ["--video: needs ffmpeg, which is not installed (on Debian and Ubuntu: apt-get install ffmpeg); nothing has been rendered"])
-
-videoCodingOf :: AnimateOptions scene -> Maybe VideoCoding
+-- | The encoding of the video file, if one is asked for.
+videoCodingOf :: AnimateOptions -> Maybe VideoCoding
 videoCodingOf options = do
   kind <- videoKind =<< animateVideo options
   Just (VideoCoding kind (animateCodec options) (animateCrf options))
 
--- | Values of options that would be as wrong in the scene file's section on the animation.
-paceProblems :: AnimateOptions scene -> Animation -> [Problem]
+-- | The problems of options whose values would be as wrong in a scene file.
+paceProblems :: AnimateOptions -> Animation -> [Problem]
 paceProblems options animation =
   [ Problem "--fps" (show rate) "a number of frames per second from 0.001 to 1000"
     | Just rate <- [animateRate options],
@@ -247,7 +152,8 @@ paceProblems options animation =
            not (seconds > 0 && animationFrames animation >= 1 && animationFrames animation <= maximumFrames)
        ]
 
-usageProblems :: AnimateOptions scene -> Animation -> [Problem]
+-- | The other problems of the options, given the animation.
+usageProblems :: AnimateOptions -> Animation -> [Problem]
 usageProblems options animation =
   [ Problem "--video" ("'" ++ file ++ "'") ("a file name that ends in one of " ++ intercalate ", " videoExtensions)
     | Just file <- [animateVideo options],
@@ -280,12 +186,32 @@ usageProblems options animation =
     patience = animatePatience options
     pattern' = framePatternOf options
 
--- | The state of the animations in a folder as text; 'Complete' if all their frames are done.
--- On the left, why there is nothing to report.
-showStatus :: Double -> FilePath -> IO (Either String (Ending, String))
-showStatus patience folder = do
-  exists <- doesDirectoryExist folder
-  statuses <- if exists then animationStatuses folder patience else pure []
-  pure $ case statuses of
-    [] -> Left ("--status: " ++ (if exists then "there is no animation in the folder " else "there is no folder ") ++ folder)
-    _ -> Right (if all isComplete statuses then Complete else Incomplete, unlines (map printable (concatMap statusLines statuses)))
+-- | The options of @blackhole animate@ that have no effect with @--status@: all except
+-- @--stale-after@ and @--quiet@.
+idleBesideStatus :: AnimateOptions -> [Problem]
+idleBesideStatus options =
+  [ Mistake name "has no effect with --status"
+    | (name, True) <-
+        [ ("SCENE.yaml", isJust (sceneFile scene)),
+          ("--preset", isJust (scenePreset scene)),
+          ("--output", isJust (animateOutput options)),
+          ("--bits", isJust (codingBits (animateCoding options))),
+          ("--quality", isJust (codingQuality (animateCoding options))),
+          ("--orbit", isJust (animateOrbit options)),
+          ("--frame-range", isJust (animateFrames options)),
+          ("--fps", isJust (animateRate options)),
+          ("--duration", isJust (animateDuration options)),
+          ("--shutter", isJust (animateShutter options)),
+          ("--shutter-samples", isJust (animateShutterSamples options)),
+          ("--shard", isJust (animateShard options)),
+          ("--video", isJust (animateVideo options)),
+          ("--codec", isJust (animateCodec options)),
+          ("--crf", isJust (animateCrf options)),
+          ("--threads", isJust (animateThreads options)),
+          ("--progress", isJust (reportProgress (animateReporting options))),
+          ("--stats", isJust (reportStats (animateReporting options)))
+        ]
+          ++ [(maybe (settingPath s) fieldLabel (findField (settingPath s)), True) | s <- sceneGiven scene]
+  ]
+  where
+    scene = animateScene options

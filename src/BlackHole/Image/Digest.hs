@@ -1,5 +1,5 @@
 -- | SHA-256 fingerprints of scenes and files (FIPS 180-4), which @sha256sum@ can check.
-module BlackHole.Animation.Digest
+module BlackHole.Image.Digest
   ( Digest,
     digestHex,
     parseDigest,

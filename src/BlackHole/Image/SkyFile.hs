@@ -1,5 +1,5 @@
 -- | The picture of a scene's sky, from its file.
-module BlackHole.Cli.SkyFile
+module BlackHole.Image.SkyFile
   ( SkyFile (..),
     loadSky,
     skyFault,
@@ -7,7 +7,7 @@ module BlackHole.Cli.SkyFile
   )
 where
 
-import BlackHole.Animation.Digest
+import BlackHole.Image.Digest
 import BlackHole.Image.Panorama
 import BlackHole.Scene.Scene (Scene)
 import BlackHole.Trace.EnvironmentMap (EnvironmentMap)

@@ -1,6 +1,6 @@
-module BlackHole.Animation.DigestSpec (spec) where
+module BlackHole.Image.DigestSpec (spec) where
 
-import BlackHole.Animation.Digest
+import BlackHole.Image.Digest
 import qualified Data.ByteString.Lazy as Lazy
 import System.FilePath ((</>))
 import System.IO.Temp (withSystemTempDirectory)

@@ -1,8 +1,8 @@
 -- | Panoramas from the command line and scene files to the picture.
-module BlackHole.Cli.SkyFileSpec (spec) where
+module BlackHole.Image.SkyFileSpec (spec) where
 
 import BlackHole.Cli.SceneOptions
-import BlackHole.Cli.SkyFile
+import BlackHole.Image.SkyFile
 import BlackHole.Scene.Field.Kind (Value (..))
 import BlackHole.Scene.Preset (defaultScene)
 import BlackHole.Scene.Scene
