@@ -165,6 +165,11 @@ class Page:
     def type(self, text):
         self.driver.execute_cdp_cmd('Input.insertText', {'text': text})
 
+    def preset(self, name):
+        """Show a preset, and wait for its settings."""
+        self.js('explore.act("preset", [arguments[0]])', name)
+        wait_for('a preset', lambda: self.js('return explore.settledScene()'))
+
     def control(self, path, part='input, select'):
         """Open the group of a setting and focus its control."""
         self.js('choosePanel("settings"); const box = document.querySelector(`#groups [data-path="${arguments[0]}"]`);'
@@ -262,7 +267,7 @@ def movement(program, page):
 
 
 def controls(program, page):
-    page.js('explore.act("preset", ["default"])')
+    page.preset('default')
     wait_for('a preset', lambda: page.value('camera.distance') == '54')
     page.enter('camera.distance', '30')
     until('a number', lambda: page.value('camera.distance') == '30')
@@ -312,7 +317,7 @@ def controls(program, page):
 
 
 def development(program, page):
-    page.js('explore.act("preset", ["default"])')
+    page.preset('default')
     page.settled()
     box = page.js('const b = document.querySelector("#exposure input[type=range]").getBoundingClientRect(); return [b.left, b.top, b.width, b.height]')
     page.mouse('mousePressed', box[0] + box[2] / 2, box[1] + box[3] / 2)
@@ -324,11 +329,11 @@ def development(program, page):
     first = page.js('return explore.stats.drawn.filter(d => d.input === explore.input)[0]')
     check('another exposure needs no coarse picture', first['stage'] == 1 and first['width'] > 500, first)
     check('the histogram counts', '%' in page.text('#clipped'), page.text('#clipped'))
-    page.js('explore.act("preset", ["default"])')
+    page.preset('default')
 
 
 def inspection(program, page):
-    page.js('explore.act("preset", ["default"])')
+    page.preset('default')
     wait_for('the default', lambda: page.value('output.exposure') == '0')
     page.settled()
     x, y = middle(page)
@@ -337,7 +342,7 @@ def inspection(program, page):
     place = re.match(r'pixel (\d+,\d+)', page.text('#report')).group(1)
     check('the report is that of --pixel', page.text('#report').strip() == program.run('render', '--pixel', place).strip())
     check('the light path is drawn', page.js('return document.querySelector("#side polyline").points.length') > 50)
-    page.js('explore.act("preset", ["kerr"])')
+    page.preset('kerr')
     wait_for('a rotating hole', lambda: page.value('hole.spin') not in ('0', None))
     page.js('document.getElementById("report").textContent = ""')
     page.key('Enter')
@@ -346,7 +351,7 @@ def inspection(program, page):
 
 
 def take_home(program, page):
-    page.js('choosePanel("settings"); explore.act("preset", ["luminet"])')
+    page.preset('luminet')
     wait_for('luminet', lambda: page.value('disk.colour') == 'bolometric')
     page.enter('image.width', '160')
     page.enter('camera.inclination', '70')
@@ -384,8 +389,7 @@ def take_home(program, page):
     page.js('explore.send("save-scene replace link.yaml")')
     page.said('is a link')
     check('no link leads out of it', not os.path.exists('/tmp/explore-target.yaml'))
-    page.enter('disk.arms.depth', '0.4')
-    page.js('explore.act("preset", ["default"])')
+    page.preset('default')
     wait_for('default', lambda: page.value('disk.colour') == 'black-body')
     page.enter('disk.arms.depth', '0.4')
     until('a setting without an option', lambda: page.value('disk.arms.depth') == '0.4')
@@ -402,7 +406,7 @@ def take_home(program, page):
 
 
 def animation(program, page):
-    page.js('explore.act("preset", ["default"])')
+    page.preset('default')
     page.enter('image.width', '96')
     wait_for('a small animation', lambda: page.value('image.width') == '96')
     page.click('#key-add')
@@ -442,10 +446,10 @@ def animation(program, page):
 
 
 def two_pages(program, page):
-    page.js('explore.act("preset", ["default"])')
+    page.preset('default')
     other = Page(program.address, 920, 600)
     try:
-        other.js('explore.act("preset", ["face-on"])')
+        other.preset('face-on')
         until('the other page has its own scene', lambda: other.value('camera.inclination') == '12')
         page.settled()
         other.settled()
@@ -518,7 +522,8 @@ def nonsense(program, page, count=1000):
         const more = Array.from({length: random(4)}, () => paths[random(paths.length)] + " " + numbers[random(numbers.length)]);
         explore.socket.send([line, ...more].join("\\n"));
       }''', count)
-    page.js('explore.act("preset", ["default"]); explore.resize()')
+    page.js('explore.resize()')
+    page.preset('default')
     wait_for('the default after nonsense', lambda: page.value('camera.distance') == '54')
     page.settled()
     check(f'{count} random messages do no harm', program.process.poll() is None)
@@ -603,7 +608,8 @@ def soak(program, page, seconds):
     check(f'{seconds} s of random input', program.process.poll() is None)
     print(f'         memory: at most {early:.0f} MB in the first quarter, {late:.0f} MB in the last', flush=True)
     check('memory is flat', late < 1.25 * early + 40, (early, late))
-    page.js('explore.act("preset", ["default"]); document.getElementById("toasts").replaceChildren()')
+    page.preset('default')
+    page.js('document.getElementById("toasts").replaceChildren()')
     wait_for('the default after the soak', lambda: page.value('camera.distance') == '54')
     page.settled()
 
@@ -637,7 +643,7 @@ def bench(binary):
         print('a drag of six seconds with sixty inputs a second, view of 480 × 270 pixels')
         print('scene          pictures/s   rays (median)   latency median, 95 %   first sharper picture')
         for preset in ('default', 'luminet', 'edge-on', 'kerr'):
-            page.js('explore.act("preset", [arguments[0]])', preset)
+            page.preset(preset)
             time.sleep(1.5)
             page.js('explore.stats.drawn.length = 0; explore.stats.latencies.length = 0')
             x, y = middle(page)
@@ -687,7 +693,8 @@ def pictures(binary, folder):
         wait_for('a pixel', lambda: page.text('#report').startswith('pixel '))
         time.sleep(0.5)
         shot('explore-pixel.jpg')
-        page.js('explore.act("preset", ["default"]); choosePanel("settings")')
+        page.preset('default')
+        page.js('choosePanel("settings")')
         wait_for('default', lambda: page.value('camera.distance') == '54')
         page.click('#key-add')
         for at, changes in ((400, ('camera.distance 30', 'camera.azimuth 130')), (1000, ('camera.distance 14', 'camera.azimuth 200', 'camera.inclination 84'))):
@@ -699,7 +706,7 @@ def pictures(binary, folder):
         page.settled()
         page.js('document.querySelectorAll("details").forEach(d => { d.open = d.textContent.startsWith("Disk") }); document.activeElement.blur()')
         shot('explore-animation.jpg')
-        page.js('explore.act("preset", ["default"])')
+        page.preset('default')
         page.resize(390, 844, 2, True)
         time.sleep(1)
         page.settled()
