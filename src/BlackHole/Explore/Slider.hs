@@ -34,12 +34,12 @@ slider field = case fieldKind field of
     angles low high = Straight (max (-180) (orElse (-180) low)) (min 360 (if maybe False (< 0) low then 180 else orElse 180 high))
     between low high = case (low, high) of
       (Just l, Just h) | h - l <= 1000 && (l < 0 || h <= 20 || (l > 0 && h / l <= 100)) -> Straight l h
-      (Just l, _) | l >= 0 -> Logarithmic (max l (typical / 100)) (maybe id min high (50 * typical)) (l == 0)
-      _ -> Straight (maybe id max low (negate (4 * typical))) (maybe id min high (4 * typical))
-    -- The greatest size among the presets' values.
-    typical = case filter (> 0) (map abs (mapMaybe (\(_, scene) -> fieldGet field scene >>= size) presets)) of
-      [] -> 1
-      sizes -> maximum sizes
+      (Just l, _) | l >= 0 -> Logarithmic (max l (min (greatest / 100) (smallest / 2))) (maybe id min high (50 * greatest)) (l == 0)
+      _ -> Straight (maybe id max low (negate (4 * greatest))) (maybe id min high (4 * greatest))
+    -- Of the sizes of the presets' values.
+    (smallest, greatest) = case filter (> 0) (map abs (mapMaybe (\(_, scene) -> fieldGet field scene >>= size) presets)) of
+      [] -> (1, 1)
+      sizes -> (minimum sizes, maximum sizes)
     size value = case value of
       NumberValue v -> Just v
       WholeValue n -> Just (fromIntegral n)
