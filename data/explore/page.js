@@ -502,7 +502,7 @@ function showPixel(message) {
   const beside = p => (p[0] * z - p[2] * x) / out;
   const reach = 1.25 * Math.max(5, message.disk ? message.disk.outer : 0, 3 * message.horizon);
   drawPath($('side'), message, reach, p => [toCamera(p), -p[1]], true);
-  drawPath($('top'), message, reach, p => [toCamera(p), beside(p)], false);
+  drawPath($('top'), message, reach, p => [toCamera(p), -beside(p)], false);
 }
 
 function drawPath(svg, message, reach, project, fromSide) {
