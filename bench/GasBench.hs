@@ -5,6 +5,7 @@ import BlackHole.Scene.Disk
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Shifts
 import BlackHole.Spacetime.LightPath
+import BlackHole.Spacetime.Photon
 import BlackHole.Spacetime.Types (Spacetime (Schwarzschild))
 import BlackHole.Trace.Gas
 import BlackHole.Vector.XYZ (XYZ (..))
@@ -33,6 +34,6 @@ benchmarks =
     ]
   where
     made disk = gas Schwarzschild 0 (Shifts True True) disk (XYZ 0 5 30) 1e-3 1
-    segment = PathSegment (XYZ 4 0.005 2) (XYZ 0.1 (-0.9) 0.3) 0.01
+    segment = planarSegment (Photon (XYZ 4 0.005 2) (XYZ 0.1 (-0.9) 0.3)) 0.01
     transparency (Continue g) = gatheredTransmittance g
     transparency (Stop g) = gatheredTransmittance g

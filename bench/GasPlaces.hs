@@ -23,7 +23,8 @@ import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Disk
 import BlackHole.Scene.Scene
 import BlackHole.Spacetime.LightPath
-import BlackHole.Trace.Pixel
+import BlackHole.Trace.Ray
+import BlackHole.Trace.Tracer
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
 import Control.DeepSeq (NFData (..))

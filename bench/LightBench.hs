@@ -1,12 +1,17 @@
+{-# LANGUAGE BangPatterns #-}
+
 -- | The cost of colour, temperature and shift of a gas sample.
 module LightBench (benchmarks) where
 
 import BlackHole.Light.BlackBody
 import BlackHole.Light.BlackBodyTable
 import BlackHole.Light.Radiance
+import BlackHole.Matter.GasFlow
 import BlackHole.Matter.Redshift
 import BlackHole.Matter.ThinDisk
-import BlackHole.Vector.XYZ (XYZ (..))
+import BlackHole.Spacetime.Kerr.Landmarks (noSpin)
+import BlackHole.Spacetime.Momentum
+import BlackHole.Spacetime.Types
 import Criterion.Main
 
 benchmarks :: Benchmark
@@ -20,10 +25,12 @@ benchmarks =
       bench "black-body radiance, visible" $
         let radiance = blackBodyRadiance Visible 4500
          in whnf (luminance . radiance) 4321,
-      bench "Page-Thorne temperature, r = 3.1" (whnf relativeTemperature 3.1),
-      bench "Page-Thorne temperature, r = 7" (whnf relativeTemperature 7),
+      bench "Page-Thorne temperature, r = 3.1" (whnf temperature 3.1),
+      bench "Page-Thorne temperature, r = 7" (whnf temperature 7),
       bench "redshift, orbit" (whnf shift 7),
       bench "redshift, plunge" (whnf shift 2)
     ]
   where
-    shift r = gasRedshift distantObserver (XYZ r 0.1 0.3) (XYZ 0.3 0.2 0.9)
+    !temperature = relativeTemperature (thinDisk noSpin)
+    flow = gasFlow Schwarzschild
+    shift r = redshiftFactor (redshift 1 (gasFrequencies flow r 0.1 (Momentum 0.3 0.9)))

@@ -1,6 +1,7 @@
 -- | Closed-form light paths: the cost per ray, and the cost per point.
 module OrbitBench (benchmarks) where
 
+import BlackHole.Spacetime.Schwarzschild.Deflection
 import BlackHole.Spacetime.Schwarzschild.Orbit
 import Criterion.Main
 

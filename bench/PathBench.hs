@@ -6,6 +6,7 @@ import BlackHole.Spacetime.LightPath
 import BlackHole.Spacetime.Photon
 import BlackHole.Spacetime.Schwarzschild.ExactPath
 import BlackHole.Spacetime.Schwarzschild.Leapfrog
+import BlackHole.Spacetime.Schwarzschild.LeapfrogStep
 import BlackHole.Spacetime.Types
 import BlackHole.Vector.XYZ (XYZ (..))
 import Criterion.Main
@@ -31,7 +32,7 @@ aimedAt b = Photon (tilted (XYZ p 0 (sqrt (10000 - p * p)))) (tilted (XYZ 0 0 (n
     p = b / speed
     tilted (XYZ x y z) = XYZ x (y * cos 0.35 - z * sin 0.35) (y * sin 0.35 + z * cos 0.35)
 
-leapfrogOf :: Int -> Photon -> Fate
+leapfrogOf :: Int -> Photon -> Fate XYZ
 leapfrogOf limit photon =
   followedFate $
     followLeapfrog defaultLeapfrog {leapfrogSteps = rule, leapfrogStepLimit = limit} Schwarzschild emptyRegion photon (\() _ -> Continue ()) ()

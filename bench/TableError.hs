@@ -5,10 +5,12 @@ module TableError
   )
 where
 
+import BlackHole.Spacetime.Fate
 import BlackHole.Spacetime.Schwarzschild.LensTable
 import BlackHole.Spacetime.Schwarzschild.Orbit
 import BlackHole.Spacetime.Schwarzschild.OrbitSeries
 import BlackHole.Spacetime.Schwarzschild.Radii (criticalImpactParameter)
+import qualified BlackHole.Vector.XY as XY
 
 -- | The greatest errors found.
 data TableError = TableError
@@ -37,10 +39,10 @@ tableError count r = foldMap (errorOf . part) [0 .. count - 1]
     part i = (fromIntegral i + 0.5) / fromIntegral count
     errorOf along
       | abs (b - criticalImpactParameter) < 1e-4 = mempty
-      | otherwise = case (seriesEnd series, orbitFate path) of
-        (Leaves c s, Escapes angle) -> TableError (sqrt ((c - cos angle) * (c - cos angle) + (s - sin angle) * (s - sin angle))) crossings 0
-        (FallsIn, Captured _) -> TableError 0 crossings 0
-        (CirclesOn, Circles) -> mempty
+      | otherwise = case (seriesFate series, orbitFate path) of
+        (Escaped found, Escaped known) -> TableError (XY.norm (found XY.^-^ known)) crossings 0
+        (Captured, Captured) -> TableError 0 crossings 0
+        (Circles, Circles) -> mempty
         _ -> TableError 0 0 1
       where
         path = orbit r radial tangential

@@ -8,8 +8,10 @@ import BlackHole.Spacetime.Fate (Fate (..))
 import BlackHole.Spacetime.LightPath
 import BlackHole.Spacetime.Observer
 import BlackHole.Spacetime.Photon
+import BlackHole.Spacetime.Schwarzschild.Deflection
 import BlackHole.Spacetime.Schwarzschild.Leapfrog
-import BlackHole.Spacetime.Schwarzschild.Orbit (OrbitFate (Escapes), deflectionAngle, orbit, orbitFate)
+import BlackHole.Spacetime.Schwarzschild.LeapfrogStep
+import BlackHole.Spacetime.Schwarzschild.Orbit (orbit, orbitFate, orbitSweep)
 import BlackHole.Spacetime.Types (Spacetime (..))
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ
@@ -92,7 +94,7 @@ seenBy observer r = 180 / pi * bisect dark 0 pi
     dark psi = case sightLine Schwarzschild observer (XYZ 0 0 r) (XYZ (sin psi) 0 (negate (cos psi))) of
       Nothing -> True
       Just (SightLine photon _) -> case orbitFate (orbitOf photon) of
-        Escapes _ -> False
+        Escaped _ -> False
         _ -> True
     orbitOf photon@(Photon x v) = orbit r (XYZ.dot x v / r) (XYZ.norm (angularMomentum photon) / r)
 
@@ -100,11 +102,12 @@ seenBy observer r = 180 / pi * bisect dark 0 pi
 -- relative to the closed form.
 directionError :: Double -> Double -> Double
 directionError b l =
-  case (followedFate (followLeapfrog settings Schwarzschild emptyRegion photon (\() _ -> Continue ()) ()), orbitFate (orbit 30 (XYZ.dot x v / 30) (b / 30))) of
-    (Escaped d, Escapes swept) ->
-      XYZ.distance d (XYZ (sin (alpha + swept)) 0 (cos (alpha + swept)))
+  case (followedFate (followLeapfrog settings Schwarzschild emptyRegion photon (\() _ -> Continue ()) ()), orbitFate path) of
+    (Escaped d, Escaped _) ->
+      XYZ.distance d (XYZ (sin (alpha + orbitSweep path)) 0 (cos (alpha + orbitSweep path)))
     _ -> 0 / 0
   where
+    path = orbit 30 (XYZ.dot x v / 30) (b / 30)
     settings = defaultLeapfrog {leapfrogSteps = EqualSteps l, leapfrogSkyRadius = 2000}
     speed = sqrt (1 + b * b / 27000)
     p = b / speed

@@ -84,7 +84,10 @@ animationDuration animation = fromIntegral (animationFrames animation) / animati
 -- 'frameScenes'.
 animationProblems :: Animation -> [Problem]
 animationProblems animation =
-  [ Problem "--duration" (show frames ++ " frames") ("a duration of 1 to " ++ show maximumFrames ++ " frames")
+  [ Problem
+      "--duration"
+      (show frames ++ " frames")
+      ("a duration of 1 to " ++ show maximumFrames ++ " frames")
     | frames < 1 || frames > maximumFrames
   ]
     ++ [ Problem "--fps" (show rate) "a number of frames per second from 0.001 to 1000"
@@ -93,7 +96,10 @@ animationProblems animation =
     ++ [ Problem "--shutter" (show open) "a fraction of the time between frames from 0 to 1"
          | not (open >= 0 && open <= 1)
        ]
-    ++ [ Problem "--shutter-samples" (show samples) ("a whole number from 1 to " ++ show maximumShutterSamples)
+    ++ [ Problem
+           "--shutter-samples"
+           (show samples)
+           ("a whole number from 1 to " ++ show maximumShutterSamples)
          | samples < 1 || samples > maximumShutterSamples
        ]
   where
@@ -112,7 +118,11 @@ sceneAt animation seconds = do
   where
     track scene (Track _ set kind keys) =
       scene >>= either (Left . pure) Right . set (valueAt kind keys seconds)
-    along scene path = either (Left . pure . impossible path) Right (alongPath path (animationDuration animation) seconds scene)
+    along scene path =
+      either
+        (Left . pure . impossible path)
+        Right
+        (alongPath path (animationDuration animation) seconds scene)
     impossible path reason =
       Mistake "animation.camera-path" (cameraPathName path ++ ": " ++ reason)
 

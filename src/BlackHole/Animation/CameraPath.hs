@@ -12,10 +12,8 @@ import BlackHole.Animation.Interpolate (Interpolation (..), easedFraction)
 import BlackHole.Numeric.Angle
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Scene
-import BlackHole.Spacetime.Kerr.WorldLine
 import BlackHole.Spacetime.Observer (Observer (..))
-import BlackHole.Spacetime.Schwarzschild.FreeFall
-import BlackHole.Spacetime.Types (Spacetime (..))
+import BlackHole.Spacetime.WorldLine
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^), (^-^))
 import qualified BlackHole.Vector.XYZ as XYZ
 
@@ -68,15 +66,21 @@ alongPath path duration seconds scene = case path of
         looking = poseTarget pose
      in Right (posed (LookAt (XYZ.lerp s from place) (maybe looking (XYZ.lerp s looking) target)))
   FreeFall pace
-    | Just r <- fallen (properTime pace start) ->
+    | Just r <- fallRadius space cosine start (properTime pace start) ->
       Right (posed (moveTo r)) {sceneObserver = Falling}
-    | otherwise -> Left ("after " ++ show seconds ++ " s, the camera has fallen into the centre of the hole")
+    | otherwise ->
+      Left
+        ("after " ++ show seconds ++ " s, the camera has fallen into the centre of the hole")
   CircularOrbit rate
     | not inPlane -> Left "the camera must be in the disk's plane (camera.inclination 90)"
-    | Just phase <- phaseAfter (rate * seconds) ->
+    | Just phase <- orbitPhase space start (rate * seconds) ->
       let Degrees turned = toDegrees (Radians phase)
        in Right (posed (turnPose (XYZ 0 1 0) turned pose)) {sceneObserver = Orbiting}
-    | otherwise -> Left ("there is no circular orbit at the camera's distance, " ++ show start ++ " Schwarzschild radii")
+    | otherwise ->
+      Left
+        ( "there is no circular orbit at the camera's distance, " ++ show start
+            ++ " Schwarzschild radii"
+        )
   where
     camera = sceneCamera scene
     pose = cameraPose camera
@@ -86,11 +90,8 @@ alongPath path duration seconds scene = case path of
       Eased -> easedFraction (seconds / duration)
       _ -> seconds / duration
     properTime (ProperTimePerSecond rate) _ = rate * seconds
-    properTime (FallsTo end) from = fallTime from end * seconds / duration
-    -- The world lines are those of the hole, with its spin if it has one.
-    (fallen, fallTime, phaseAfter) = case sceneSpacetime scene of
-      Kerr hole -> (kerrInfallRadius hole cosine start, kerrInfallTime hole cosine, kerrOrbitalPhase hole start)
-      _ -> (infallRadius start, infallTime, orbitalPhase start)
+    properTime (FallsTo end) from = fallTime space cosine from end * seconds / duration
+    space = sceneSpacetime scene
     cosine = let XYZ _ y _ = posePosition pose in y / start
     -- The hole stays where it is in the picture of somebody who looks at it;
     -- another direction of sight is kept as well.
@@ -122,4 +123,7 @@ turnPose axis@(XYZ ax ay az) degrees pose = case pose of
         ^+^ sin angle *^ XYZ.cross axis v
         ^+^ ((1 - cos angle) * XYZ.dot axis v) *^ axis
     around place@(XYZ x y z) =
-      Around (XYZ.norm place) (toDegrees (Radians (atan2 (sqrt (x * x + z * z)) y))) (toDegrees (Radians (atan2 z x)))
+      Around
+        (XYZ.norm place)
+        (toDegrees (Radians (atan2 (sqrt (x * x + z * z)) y)))
+        (toDegrees (Radians (atan2 z x)))

@@ -21,7 +21,13 @@ import qualified Data.Vector.Storable as Vector
 -- callback receives the finished fraction of all rows. Needs the memory of two films for
 -- any number of scenes, which must have equal environment maps. 'Nothing' if a scene is
 -- not valid or their pictures differ in size.
-exposeMotionBlur :: Maybe EnvironmentMap -> Workers -> (Double -> IO ()) -> NonEmpty Scene -> (Int, Int) -> IO (Maybe Exposed)
+exposeMotionBlur ::
+  Maybe EnvironmentMap ->
+  Workers ->
+  (Double -> IO ()) ->
+  NonEmpty Scene ->
+  (Int, Int) ->
+  IO (Maybe Exposed)
 exposeMotionBlur sky workers progress (first :| rest) (firstRow, rows) = do
   start <- expose 0 first
   total <- foldlM next start (zip [1 ..] rest)
@@ -31,20 +37,45 @@ exposeMotionBlur sky workers progress (first :| rest) (firstRow, rows) = do
     expose :: Int -> Scene -> IO (Maybe Exposed)
     expose k scene
       | scenePicture scene /= scenePicture first = pure Nothing
-      | otherwise = (>>= counted scene) <$> exposeFilm sky workers (\done -> progress ((fromIntegral k + fromIntegral done / fromIntegral (max 1 rows)) / fromIntegral count)) scene (firstRow, rows)
+      | otherwise =
+        (>>= counted scene)
+          <$> exposeFilm
+            sky
+            workers
+            ( \done ->
+                progress
+                  ( (fromIntegral k + fromIntegral done / fromIntegral (max 1 rows))
+                      / fromIntegral count
+                  )
+            )
+            scene
+            (firstRow, rows)
     next before (k, scene) = do
       seen <- expose k scene
       pure $! join (together <$> before <*> seen)
-    together a b = Exposed <$> plus (exposedLight a) (exposedLight b) <*> (Just <$> join (plus <$> exposedCounts a <*> exposedCounts b))
+    together a b =
+      Exposed <$> plus (exposedLight a) (exposedLight b)
+        <*> (Just <$> join (plus <$> exposedCounts a <*> exposedCounts b))
     -- A sum needs the number of samples of every pixel.
     counted scene exposed@(Exposed film counts)
       | count == 1 || isJust counts = Just exposed
       | otherwise = do
-        shape <- pixelShape (shapeWidth (pixelArrayShape film)) (shapeHeight (pixelArrayShape film)) 1
-        Exposed film . Just <$> fromPixelVector shape (Vector.replicate (shapeLength shape) (fromIntegral (sceneSamples scene)))
+        shape <-
+          pixelShape
+            (shapeWidth (pixelArrayShape film))
+            (shapeHeight (pixelArrayShape film))
+            1
+        Exposed film . Just
+          <$> fromPixelVector
+            shape
+            (Vector.replicate (shapeLength shape) (fromIntegral (sceneSamples scene)))
     divided (Exposed film counts)
       | count == 1 = Just (Exposed film counts)
-      | otherwise = (`Exposed` counts) <$> fromPixelVector (pixelArrayShape film) (Vector.map (/ fromIntegral count) (toPixelVector film))
+      | otherwise =
+        (`Exposed` counts)
+          <$> fromPixelVector
+            (pixelArrayShape film)
+            (Vector.map (/ fromIntegral count) (toPixelVector film))
 
 -- | The sum of two arrays of equal shape.
 plus :: PixelArray Float -> PixelArray Float -> Maybe (PixelArray Float)

@@ -24,7 +24,9 @@ data FrameName = FrameName !String !Int !String
 parseFrameName :: String -> Either String FrameName
 parseFrameName text = case go text of
   Just (before, Just (digits, after))
-    | takeDirectory (before ++ "0") == takeDirectory (before ++ "0" ++ after) -> Right (FrameName before digits after)
+    | takeDirectory (before ++ "0") == takeDirectory (before ++ "0" ++ after) ->
+      Right
+        (FrameName before digits after)
   _ -> Left "a file name with one place for the frame's number, as in frames/%05d.png"
   where
     go :: String -> Maybe (String, Maybe (Int, String))

@@ -39,7 +39,15 @@ import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.ByteString.Lazy.Char8 as LazyChar8
 import Data.List (isSuffixOf, sort, stripPrefix)
 import Data.Maybe (mapMaybe)
-import System.Directory (createDirectoryIfMissing, doesFileExist, getFileSize, listDirectory, pathIsSymbolicLink, removeFile, renameFile)
+import System.Directory
+  ( createDirectoryIfMissing,
+    doesFileExist,
+    getFileSize,
+    listDirectory,
+    pathIsSymbolicLink,
+    removeFile,
+    renameFile,
+  )
 import System.FilePath (takeDirectory, takeFileName, (</>))
 import System.IO (IOMode (WriteMode), withBinaryFile)
 import Text.Read (readMaybe)
@@ -154,7 +162,11 @@ inOneStep store name target bytes =
 
 partPath :: FrameStore -> String -> Holder -> FilePath
 partPath store name holder =
-  frameStorePath store </> (name ++ "." ++ filter (/= '/') (holderHost holder) ++ "." ++ show (holderProcess holder) ++ ".part")
+  frameStorePath store
+    </> ( name ++ "." ++ filter (/= '/') (holderHost holder) ++ "."
+            ++ show (holderProcess holder)
+            ++ ".part"
+        )
 
 recordPath :: FrameStore -> Int -> FilePath
 recordPath store frame = frameStorePath store </> (frameLabel store frame ++ ".done")
@@ -195,7 +207,9 @@ writeFrameList store frames = do
   leased <- takeLease leases name
   case leased of
     HeldBy _ -> pure ()
-    Leased former -> (mapM_ (sweep . partPath store name) former >> write) `finally` releaseLease leases name
+    Leased former ->
+      (mapM_ (sweep . partPath store name) former >> write)
+        `finally` releaseLease leases name
   where
     write = do
       before <- quietly Bytes.empty (Bytes.readFile path)
@@ -204,7 +218,9 @@ writeFrameList store frames = do
     leases = frameStoreLeases store
     name = takeFileName (framePattern (frameStoreName store)) ++ listExtension
     path = frameStorePath store </> name
-    content = LazyChar8.pack (unlines [show frame ++ " " ++ digestHex scene | (frame, scene) <- frames])
+    content =
+      LazyChar8.pack
+        (unlines [show frame ++ " " ++ digestHex scene | (frame, scene) <- frames])
 
 listExtension :: String
 listExtension = ".film"

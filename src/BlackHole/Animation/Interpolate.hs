@@ -78,7 +78,10 @@ makeKeys (first : rest) = case problems of
     keys = zip [0 ..] (first : rest)
     problems =
       [NotFinite i | (i, (t, v)) <- keys, any notFinite (t : v)]
-        ++ [NotLater i | ((i, (t, _)), (before, _)) <- zip (drop 1 keys) (first : rest), t <= before]
+        ++ [ NotLater i
+             | ((i, (t, _)), (before, _)) <- zip (drop 1 keys) (first : rest),
+               t <= before
+           ]
         ++ [OtherDimension i | (i, (_, v)) <- keys, length v /= length (snd first)]
     notFinite x = isNaN x || isInfinite x
 

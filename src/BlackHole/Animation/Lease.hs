@@ -256,19 +256,29 @@ processStart process = do
 -- | Creates a file with this process's name in it; 'False' if the file exists.
 makeExclusively :: LeaseFolder -> FilePath -> IO Bool
 makeExclusively (LeaseFolder folder self _) path =
-  bracket (temporaryName "claim" self >>= \name -> Bytes.writeFile (folder </> name) content >> pure (folder </> name)) removeQuietly $ \temporary -> do
-    linked <- try (createLink temporary path)
-    case linked of
-      Right () -> pure True
-      Left refusal
-        -- The repeated answer of a network may deny the success of the first attempt.
-        | isAlreadyExistsError refusal -> (== 2) . linkCount <$> getFileStatus temporary
-        | otherwise -> withoutLinks
+  bracket
+    ( temporaryName "claim" self >>= \name ->
+        Bytes.writeFile (folder </> name) content
+          >> pure (folder </> name)
+    )
+    removeQuietly
+    $ \temporary -> do
+      linked <- try (createLink temporary path)
+      case linked of
+        Right () -> pure True
+        Left refusal
+          -- The repeated answer of a network may deny the success of the first attempt.
+          | isAlreadyExistsError refusal -> (== 2) . linkCount <$> getFileStatus temporary
+          | otherwise -> withoutLinks
   where
     content = Char8.pack (renderHolder self)
     -- Some file systems have no links; a lease is then empty for a moment.
     withoutLinks = do
-      made <- try (withCString path $ \name -> throwErrnoIfMinus1 "open" (c_open name (o_WRONLY + o_CREAT + o_EXCL) 0o644))
+      made <-
+        try
+          ( withCString path $
+              \name -> throwErrnoIfMinus1 "open" (c_open name (o_WRONLY + o_CREAT + o_EXCL) 0o644)
+          )
       case made of
         Right descriptor -> do
           void (c_close descriptor)
@@ -282,7 +292,17 @@ makeExclusively (LeaseFolder folder self _) path =
 temporaryName :: String -> Holder -> IO String
 temporaryName purpose holder = do
   thread <- filter isDigit . show <$> myThreadId
-  pure (intercalate "." ["", purpose, filter (/= '/') (holderHost holder), take 8 (holderBoot holder), show (holderProcess holder), thread])
+  pure
+    ( intercalate
+        "."
+        [ "",
+          purpose,
+          filter (/= '/') (holderHost holder),
+          take 8 (holderBoot holder),
+          show (holderProcess holder),
+          thread
+        ]
+    )
 
 -- | Runs an action with the folder's lock. On a file system without locks it runs
 -- without one, protected only by the exclusive creation of leases.

@@ -57,8 +57,12 @@ progressLine current tally =
       " of ",
       show (tallyFrames tally),
       " frames",
-      foldMap (\n -> ", frame " ++ show n ++ " " ++ show (floor (100 * tallyPart tally) :: Int) ++ " %") current,
-      foldMap (\f -> ", " ++ showFFloat (Just (if f < 10 then 2 else 0)) f " frames/s") (framesPerSecond tally),
+      foldMap
+        (\n -> ", frame " ++ show n ++ " " ++ show (floor (100 * tallyPart tally) :: Int) ++ " %")
+        current,
+      foldMap
+        (\f -> ", " ++ showFFloat (Just (if f < 10 then 2 else 0)) f " frames/s")
+        (framesPerSecond tally),
       foldMap (\s -> ", " ++ durationText s ++ " left") (secondsLeft tally),
       if tallyFailed tally > 0 then ", " ++ show (tallyFailed tally) ++ " failed" else ""
     ]

@@ -12,7 +12,16 @@ import BlackHole.Animation.FrameStore
 import BlackHole.Animation.Lease
 import BlackHole.Image.Digest
 import Control.Concurrent (threadDelay)
-import Control.Exception (SomeAsyncException, SomeException, displayException, evaluate, finally, fromException, throwIO, try)
+import Control.Exception
+  ( SomeAsyncException,
+    SomeException,
+    displayException,
+    evaluate,
+    finally,
+    fromException,
+    throwIO,
+    try,
+  )
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (for_)
 import GHC.Clock (getMonotonicTime)
@@ -119,5 +128,9 @@ workThrough store patience begun ended render jobs = do
       case result of
         Right outcome -> pure outcome
         Left failure
-          | Just asynchronous <- fromException failure -> throwIO (asynchronous :: SomeAsyncException)
-          | otherwise -> pure (Failed (unwords (lines (displayException (failure :: SomeException)))))
+          | Just asynchronous <- fromException failure ->
+            throwIO
+              (asynchronous :: SomeAsyncException)
+          | otherwise ->
+            pure
+              (Failed (unwords (lines (displayException (failure :: SomeException)))))

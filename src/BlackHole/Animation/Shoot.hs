@@ -90,9 +90,14 @@ shoot shooting listen = do
   holder <- currentHolder
   store <- openFrameStore (shootingName shooting) holder (shootingPatience shooting)
   -- For an animation of hours the list takes minutes; rendering need not wait for it.
-  withAsync (writeFrameList store [(n, digest) | n <- [0 .. animationFrames animation - 1], Right digest <- [digestOf n]]) $ \listing -> do
-    shot <- shootFrames store
-    shot <$ wait listing
+  withAsync
+    ( writeFrameList
+        store
+        [(n, digest) | n <- [0 .. animationFrames animation - 1], Right digest <- [digestOf n]]
+    )
+    $ \listing -> do
+      shot <- shootFrames store
+      shot <$ wait listing
   where
     animation = shootingAnimation shooting
     frames = shootingFrames shooting
@@ -101,11 +106,27 @@ shoot shooting listen = do
     shootFrames store = do
       state <- newMVar (startTally (length frames))
       clock <- newIORef Nothing
-      feed <- traverse (\(coder, kind, target) -> startVideoFeed coder kind (animationRate animation) target (shootingName shooting) frames) (shootingVideo shooting)
+      feed <-
+        traverse
+          ( \(coder, kind, target) ->
+              startVideoFeed
+                coder
+                kind
+                (animationRate animation)
+                target
+                (shootingName shooting)
+                frames
+          )
+          (shootingVideo shooting)
       forM_ (feed >>= videoFeedFault) (listen . Remark . ("the video file cannot be made: " ++))
       let run =
-            workThrough store patience (begun state clock) (ended state clock feed) (render state clock) $
-              [Job n (fromRight (digestText "") (digestOf n)) | n <- frames]
+            workThrough
+              store
+              patience
+              (begun state clock)
+              (ended state clock feed)
+              (render state clock)
+              $ [Job n (fromRight (digestText "") (digestOf n)) | n <- frames]
       outcomes <- run `onException` mapM_ abandonVideoFeed feed
       fault <- join <$> traverse finishVideoFeed feed
       tally <- readMVar state
@@ -116,7 +137,9 @@ shoot shooting listen = do
       started <- readIORef clock
       when (isNothing started) $ writeIORef clock (Just now)
       case condition of
-        Damaged -> listen (Remark ("frame " ++ show (jobFrame job) ++ " is damaged and is rendered again"))
+        Damaged ->
+          listen
+            (Remark ("frame " ++ show (jobFrame job) ++ " is damaged and is rendered again"))
         _ -> pure ()
       update state clock (Just (jobFrame job)) (\tally -> tally {tallyPart = 0})
     ended state clock feed job outcome = do
@@ -135,13 +158,28 @@ shoot shooting listen = do
     render state clock job = case frameScenes animation (jobFrame job) of
       Left problems -> pure (Left (unwords (map show problems)))
       Right scenes -> do
-        exposed <- exposeMotionBlur (shootingSky shooting) (shootingWorkers shooting) (\part -> update state clock (Just (jobFrame job)) (\tally -> tally {tallyPart = part})) scenes (Light.allRows (scenePicture (animationScene animation)))
+        exposed <-
+          exposeMotionBlur
+            (shootingSky shooting)
+            (shootingWorkers shooting)
+            (\part -> update state clock (Just (jobFrame job)) (\tally -> tally {tallyPart = part}))
+            scenes
+            (Light.allRows (scenePicture (animationScene animation)))
         case exposed of
           Nothing -> pure (Left "its scenes cannot be traced together")
           Just light -> do
             faults <- Light.faultyPixels (shootingWorkers shooting) (Light.exposedLight light)
             case faults of
               (count, Just (x, y)) ->
-                listen (Remark ("frame " ++ show (jobFrame job) ++ ": " ++ show count ++ " pixels have no finite radiance, the first at " ++ show x ++ "," ++ show y))
+                listen
+                  ( Remark
+                      ( "frame " ++ show (jobFrame job) ++ ": " ++ show count
+                          ++ " pixels have no finite radiance, the first at "
+                          ++ show x
+                          ++ ","
+                          ++ show y
+                      )
+                  )
               _ -> pure ()
-            maybe (Left "its format has no room for so large a picture") Right <$> shootingDevelop shooting scenes light
+            maybe (Left "its format has no room for so large a picture") Right
+              <$> shootingDevelop shooting scenes light

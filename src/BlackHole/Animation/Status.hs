@@ -61,12 +61,15 @@ data FrameProgress
 -- | Whether all frames are done.
 isComplete :: AnimationStatus -> Bool
 isComplete status =
-  null (statusRunning status) && null (statusMissing status) && null (statusStale status) && null (statusDamaged status)
+  null (statusRunning status) && null (statusMissing status) && null (statusStale status)
+    && null (statusDamaged status)
 
 -- | The status as text: a line of counts, followed by the frames that are not done.
 statusLines :: AnimationStatus -> [String]
 statusLines status =
-  ( framePattern (statusName status) ++ ": " ++ show total ++ " frames, " ++ show (length (statusDone status)) ++ " done, "
+  ( framePattern (statusName status) ++ ": " ++ show total ++ " frames, "
+      ++ show (length (statusDone status))
+      ++ " done, "
       ++ show (length (statusRunning status))
       ++ " running, "
       ++ show (length (statusMissing status))
@@ -76,11 +79,26 @@ statusLines status =
       ++ show (length (statusDamaged status))
       ++ " damaged"
   ) :
-  ["  running: " ++ show n ++ maybe "" ((" (" ++) . (++ ")") . holderName) who | (n, who) <- statusRunning status]
+  [ "  running: " ++ show n ++ maybe "" ((" (" ++) . (++ ")") . holderName) who
+    | (n, who) <- statusRunning status
+  ]
     ++ concat
       [ ["  " ++ what ++ ": " ++ frameRanges frames | not (null frames)]
-        | (what, frames) <- [("missing", statusMissing status), ("stale", statusStale status), ("damaged", statusDamaged status)]
+        | (what, frames) <-
+            [ ("missing", statusMissing status),
+              ("stale", statusStale status),
+              ("damaged", statusDamaged status)
+            ]
       ]
   where
     total =
-      sum (map length [statusDone status, map fst (statusRunning status), statusMissing status, statusStale status, statusDamaged status])
+      sum
+        ( map
+            length
+            [ statusDone status,
+              map fst (statusRunning status),
+              statusMissing status,
+              statusStale status,
+              statusDamaged status
+            ]
+        )

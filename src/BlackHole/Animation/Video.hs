@@ -50,7 +50,10 @@ data VideoKind
 
 -- | The kind of file for a name's extension; 'Nothing' for other extensions.
 videoKind :: FilePath -> Maybe VideoKind
-videoKind path = lookup (map toLower (takeExtension path)) [(videoExtension kind, kind) | kind <- [minBound ..]]
+videoKind path =
+  lookup
+    (map toLower (takeExtension path))
+    [(videoExtension kind, kind) | kind <- [minBound ..]]
 
 -- | The extensions that 'videoKind' accepts.
 videoExtensions :: [String]
@@ -92,10 +95,25 @@ data VideoCoding = VideoCoding
 -- factor out of the codec's range.
 videoCodingProblems :: VideoCoding -> [Problem]
 videoCodingProblems (VideoCoding kind codec crf) = case (kindCodecs kind, codec) of
-  ([], _) -> [Mistake option "has no effect on a GIF" | (option, True) <- [("--codec", isJust codec), ("--crf", isJust crf)]]
-  (codecs, Just own) | own `notElem` codecs -> [Problem "--codec" (nameOf own) ("a codec of " ++ videoExtension kind ++ " files; the choices are: " ++ intercalate ", " (map nameOf codecs))]
+  ([], _) ->
+    [ Mistake option "has no effect on a GIF"
+      | (option, True) <- [("--codec", isJust codec), ("--crf", isJust crf)]
+    ]
+  (codecs, Just own)
+    | own
+        `notElem` codecs ->
+      [ Problem
+          "--codec"
+          (nameOf own)
+          ( "a codec of " ++ videoExtension kind ++ " files; the choices are: "
+              ++ intercalate ", " (map nameOf codecs)
+          )
+      ]
   (standard : _, _) ->
-    [ Problem "--crf" (show n) ("a whole number from 0 to " ++ show most ++ " (for " ++ nameOf own ++ ")")
+    [ Problem
+        "--crf"
+        (show n)
+        ("a whole number from 0 to " ++ show most ++ " (for " ++ nameOf own ++ ")")
       | let own = fromMaybe standard codec,
         let most = if own `elem` [H264, H265] then 51 else 63,
         Just n <- [crf],
@@ -117,19 +135,39 @@ ffmpegArguments (VideoCoding kind codec crf) rate output =
     ++ ["file:" ++ output]
   where
     coding = case (fromMaybe H264 (codec <|> listToMaybe (kindCodecs kind)), kind) of
-      (_, Gif) -> ["-filter_complex", "split[a][b];[a]palettegen[p];[b][p]paletteuse=dither=sierra2_4a", "-loop", "0", "-f", "gif"]
+      (_, Gif) ->
+        [ "-filter_complex",
+          "split[a][b];[a]palettegen[p];[b][p]paletteuse=dither=sierra2_4a",
+          "-loop",
+          "0",
+          "-f",
+          "gif"
+        ]
       (own, _) -> ["-vf", planes] ++ encoder own ++ colours ++ container
     encoder own = case own of
       H264 -> ["-c:v", "libx264", "-preset", "slow"] ++ quality 16
-      H265 -> ["-c:v", "libx265", "-preset", "slow", "-x265-params", "log-level=error"] ++ quality 18 ++ ["-tag:v", "hvc1"]
+      H265 ->
+        ["-c:v", "libx265", "-preset", "slow", "-x265-params", "log-level=error"]
+          ++ quality 18
+          ++ ["-tag:v", "hvc1"]
       Vp9 -> ["-c:v", "libvpx-vp9"] ++ quality 24 ++ ["-b:v", "0"]
       Av1 -> ["-c:v", "libsvtav1", "-preset", "5"] ++ quality 24
     quality standard = ["-crf", show (fromMaybe standard crf)]
     container = case kind of
       WebM -> ["-f", "webm"]
       _ -> ["-movflags", "+faststart", "-f", "mp4"]
-    planes = "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv,format=yuv420p"
-    colours = ["-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "iec61966-2-1", "-color_range", "tv"]
+    planes =
+      "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv,format=yuv420p"
+    colours =
+      [ "-colorspace",
+        "bt709",
+        "-color_primaries",
+        "bt709",
+        "-color_trc",
+        "iec61966-2-1",
+        "-color_range",
+        "tv"
+      ]
 
 -- | The path of ffmpeg, if it is installed; 'Nothing' without a variable @PATH@.
 findCoder :: IO (Maybe FilePath)
@@ -161,7 +199,13 @@ startVideo coder coding rate target = mask_ $ do
       hClose handle
       -- A copy of the handle of a locked file would keep that file locked as long as
       -- ffmpeg runs.
-      launched <- reasonOf . createProcess $ (proc coder (ffmpegArguments coding rate part)) {std_in = CreatePipe, std_err = CreatePipe, close_fds = True}
+      launched <-
+        reasonOf . createProcess $
+          (proc coder (ffmpegArguments coding rate part))
+            { std_in = CreatePipe,
+              std_err = CreatePipe,
+              close_fds = True
+            }
       case launched of
         Right (Just input, Nothing, Just complaints, process) -> do
           hSetBinaryMode input True

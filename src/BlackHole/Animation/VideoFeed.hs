@@ -32,7 +32,14 @@ data VideoFeed = VideoFeed
 
 -- | @startVideoFeed ffmpeg coding rate target name frames@ starts a video of these frames
 -- ('startVideo').
-startVideoFeed :: FilePath -> VideoCoding -> Double -> FilePath -> FrameName -> [Int] -> IO VideoFeed
+startVideoFeed ::
+  FilePath ->
+  VideoCoding ->
+  Double ->
+  FilePath ->
+  FrameName ->
+  [Int] ->
+  IO VideoFeed
 startVideoFeed coder kind rate target name frames = do
   started <- startVideo coder kind rate target
   VideoFeed started name <$> newIORef frames <*> newIORef Set.empty <*> newIORef []
@@ -58,7 +65,8 @@ feedFrame feed frame outcome = do
         next : later | next `Set.member` waiting -> do
           writeIORef (videoFeedLeft feed) later
           writeIORef (videoFeedReady feed) (Set.delete next waiting)
-          forM_ (feedVideoFile feed) $ \video -> feedVideo video (frameFile (videoFeedName feed) next)
+          forM_ (feedVideoFile feed) $
+            \video -> feedVideo video (frameFile (videoFeedName feed) next)
           advance
         _ -> pure ()
 

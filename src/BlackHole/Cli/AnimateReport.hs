@@ -28,7 +28,10 @@ reportTo say reporter news = case news of
 framesProgress :: Maybe Int -> Tally -> Progress
 framesProgress current tally =
   Progress
-    { progressFraction = (fromIntegral settled + tallyPart tally) / fromIntegral (max 1 (tallyFrames tally)),
+    { progressFraction =
+        (fromIntegral settled + tallyPart tally)
+          / fromIntegral
+            (max 1 (tallyFrames tally)),
       progressText = progressLine current tally,
       progressMembers =
         [ ("frames_done", Whole settled),
@@ -46,8 +49,18 @@ framesProgress current tally =
 -- done@.
 summaryLine :: Shot -> String
 summaryLine shot =
-  show (tallyFrames tally) ++ (if tallyFrames tally == 1 then " frame: " else " frames: ") ++ show (tallyRendered tally) ++ " rendered"
-    ++ (if tallyRendered tally > 0 then " in " ++ (if tallySeconds tally < 60 then showFFloat (Just 1) (tallySeconds tally) " s" else durationText (tallySeconds tally)) else "")
+  show (tallyFrames tally) ++ (if tallyFrames tally == 1 then " frame: " else " frames: ")
+    ++ show (tallyRendered tally)
+    ++ " rendered"
+    ++ ( if tallyRendered tally > 0
+           then
+             " in "
+               ++ ( if tallySeconds tally < 60
+                      then showFFloat (Just 1) (tallySeconds tally) " s"
+                      else durationText (tallySeconds tally)
+                  )
+           else ""
+       )
     ++ (if tallyFound tally > 0 then ", " ++ show (tallyFound tally) ++ " already done" else "")
     ++ (if tallyFailed tally > 0 then ", " ++ show (tallyFailed tally) ++ " failed" else "")
   where
@@ -57,11 +70,15 @@ summaryLine shot =
 -- for failures, and for a missing video file.
 faultLines :: Shot -> [String]
 faultLines shot =
-  [ numbered (map fst elsewhere) ++ " being rendered by another process" ++ whose [holder | (_, Just holder) <- elsewhere]
+  [ numbered (map fst elsewhere) ++ " being rendered by another process"
+      ++ whose [holder | (_, Just holder) <- elsewhere]
     | not (null elsewhere)
   ]
     ++ [numbered (reverse frames) ++ " failed: " ++ reason | (reason, frames) <- Map.toList failed]
-    ++ ["no video file: " ++ reason ++ "; the frames are kept, and the next run makes the video file from them" | Just reason <- [shotVideoFault shot]]
+    ++ [ "no video file: " ++ reason
+           ++ "; the frames are kept, and the next run makes the video file from them"
+         | Just reason <- [shotVideoFault shot]
+       ]
   where
     elsewhere = [(n, holder) | (n, Elsewhere holder) <- shotOutcomes shot]
     failed = Map.fromListWith (++) [(reason, [n]) | (n, Failed reason) <- shotOutcomes shot]

@@ -55,7 +55,9 @@ loadAnimation options = do
 -- the numbers of all frames that have it.
 frameFaults :: Animation -> [Int] -> [String]
 frameFaults animation frames =
-  [ (if length wrong == 1 then "frame " else "frames ") ++ frameRanges (reverse wrong) ++ ": " ++ text
+  [ (if length wrong == 1 then "frame " else "frames ") ++ frameRanges (reverse wrong)
+      ++ ": "
+      ++ text
     | (text, wrong) <- sortOn (lastOf . snd) (Map.toList faults)
   ]
   where

@@ -21,7 +21,12 @@ checkNumber option good range value
 checkWhole :: String -> Int -> Int -> String -> Int -> [Problem]
 checkWhole option low high unit value
   | value >= low && value <= high = []
-  | otherwise = [Problem option (show value) ("a whole number from " ++ show low ++ " to " ++ show high ++ unit)]
+  | otherwise =
+    [ Problem
+        option
+        (show value)
+        ("a whole number from " ++ show low ++ " to " ++ show high ++ unit)
+    ]
 
 -- | The problems of a value of @--threads@.
 checkThreads :: Maybe Int -> [Problem]

@@ -12,5 +12,16 @@ import Options.Applicative
 codingOptions :: Parser Coding
 codingOptions =
   Coding
-    <$> setting (option wholeNumber (long "bits" <> metavar "N" <> help "Bits per colour channel: 8 or 16 for PNG, 16 or 32 for TIFF and OpenEXR (default: the smaller)"))
-    <*> setting (option wholeNumber (long "quality" <> metavar "N" <> help "Quality of a JPEG, 1 to 100 (default: 92)"))
+    <$> setting
+      ( option
+          wholeNumber
+          ( long "bits" <> metavar "N"
+              <> help
+                "Bits per colour channel: 8 or 16 for PNG, 16 or 32 for TIFF and OpenEXR (default: the smaller)"
+          )
+      )
+    <*> setting
+      ( option
+          wholeNumber
+          (long "quality" <> metavar "N" <> help "Quality of a JPEG, 1 to 100 (default: 92)")
+      )

@@ -69,11 +69,19 @@ tell = tellWithin 10000
 succeeded :: Double -> FilePath -> String -> IO ()
 succeeded start file content = do
   end <- getMonotonicTime
-  tell (printable ((if file == "-" then "standard output" else file) ++ ": " ++ content ++ ", " ++ showFFloat (Just 1) (end - start) " s") ++ "\n")
+  tell
+    ( printable
+        ( (if file == "-" then "standard output" else file) ++ ": " ++ content ++ ", "
+            ++ showFFloat (Just 1) (end - start) " s"
+        )
+        ++ "\n"
+    )
 
 -- A write to a full pipe waits until it has room, which can be interrupted.
 tellWithin :: Int -> String -> IO ()
-tellWithin microseconds text = void (timeout microseconds (hPutStr stderr text >> hFlush stderr)) `catch` dropped
+tellWithin microseconds text =
+  void (timeout microseconds (hPutStr stderr text >> hFlush stderr))
+    `catch` dropped
   where
     dropped :: IOException -> IO ()
     dropped _ = pure ()

@@ -43,7 +43,9 @@ wasClosed descriptor = handle unknown (queryFdOption descriptor CloseOnExec)
 -- | Standard input for writing only, the others for reading only.
 openUseless :: Fd -> IO ()
 openUseless descriptor = do
-  opened <- fromIntegral <$> withCString "/dev/null" (\path -> throwErrnoIfMinus1 "open" (c_open path mode 0))
+  opened <-
+    fromIntegral
+      <$> withCString "/dev/null" (\path -> throwErrnoIfMinus1 "open" (c_open path mode 0))
   when (opened /= descriptor) $ dupTo opened descriptor *> closeFd opened $> ()
   where
     mode = if descriptor == 0 then o_WRONLY else o_RDONLY

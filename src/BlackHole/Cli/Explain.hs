@@ -8,7 +8,7 @@ where
 import BlackHole.Cli.TextTable
 import BlackHole.Light.Display (Exposure (..), toneMapName)
 import BlackHole.Light.Radiance (Radiance (..), scaleRadiance)
-import BlackHole.Matter.Redshift (RedshiftParts (..))
+import BlackHole.Matter.Redshift (Redshift (..))
 import BlackHole.Numeric.Angle
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
@@ -16,10 +16,9 @@ import BlackHole.Scene.Shifts
 import BlackHole.Scene.Validate (Problem (..))
 import BlackHole.Spacetime.Fate (Fate (..), fateName)
 import BlackHole.Spacetime.Observer (observerName)
-import BlackHole.Spacetime.Schwarzschild.Radii (criticalImpactParameter)
-import BlackHole.Spacetime.Types (Spacetime (..))
+import BlackHole.Spacetime.PlaneCrossing (PlaneCrossing (..))
+import BlackHole.Spacetime.Types (spacetimeCriticalImpact)
 import BlackHole.Trace.Explain
-import BlackHole.Trace.PlaneCrossing
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ
@@ -29,7 +28,9 @@ import Numeric (showEFloat, showFFloat)
 pixelProblems :: Picture -> (Int, Int) -> [Problem]
 pixelProblems (Picture width height) (x, y) =
   [ Problem "--pixel" (show x ++ "," ++ show y) $
-      "a pixel of this picture: X from 0 to " ++ show (width - 1) ++ ", Y from 0 to " ++ show (height - 1) ++ ", counted from the top left"
+      "a pixel of this picture: X from 0 to " ++ show (width - 1) ++ ", Y from 0 to "
+        ++ show (height - 1)
+        ++ ", counted from the top left"
     | x < 0 || y < 0 || x >= width || y >= height
   ]
 
@@ -38,7 +39,11 @@ pixelProblems (Picture width height) (x, y) =
 explanationLines :: Scene -> Explanation -> [String]
 explanationLines scene explanation =
   tableLines (LeftAligned : repeat RightAligned) $
-    [ Line ("pixel " ++ show x ++ "," ++ show y ++ " of " ++ show width ++ " x " ++ show height ++ " (column and row, from 0 at the top left)"),
+    [ Line
+        ( "pixel " ++ show x ++ "," ++ show y ++ " of " ++ show width ++ " x "
+            ++ show height
+            ++ " (column and row, from 0 at the top left)"
+        ),
       Line "",
       Line "line of sight through the centre of the pixel (lengths in Schwarzschild radii)"
     ]
@@ -47,12 +52,16 @@ explanationLines scene explanation =
       ++ sampleRows (explainedSamples explanation)
       ++ [ Line "",
            heading "picture",
-           colour (if sceneSamples scene == 1 then "radiance" else "mean radiance of the samples") (explainedRadiance explanation),
+           colour
+             (if sceneSamples scene == 1 then "radiance" else "mean radiance of the samples")
+             (explainedRadiance explanation),
            colour ("exposed by " ++ short stops ++ " stops") (shownExposed shown),
            colour ("tone map " ++ toneMapName (sceneToneMap scene)) (shownToneMapped shown),
            field "sRGB codes" (map show [r, g, b])
          ]
-      ++ [Line "  (before bloom, which adds light from the rest of the picture)" | sceneBloom scene > 0]
+      ++ [ Line "  (before bloom, which adds light from the rest of the picture)"
+           | sceneBloom scene > 0
+         ]
   where
     (x, y) = explainedPixel explanation
     Picture width height = scenePicture scene
@@ -65,18 +74,28 @@ explanationLines scene explanation =
 sightRows :: Scene -> Sighting -> [Row]
 sightRows scene sighting =
   [ field "point in the picture" [decimal px, decimal py],
-    maybe (remark "direction" "none: outside the fisheye's circle") (field "direction" . vector) (sightingDirection sighting)
+    maybe
+      (remark "direction" "none: outside the fisheye's circle")
+      (field "direction" . vector)
+      (sightingDirection sighting)
   ]
     ++ maybe [Line "  no light arrives from this direction"] arriving (sightingArrival sighting)
   where
     XY px py = sightingPoint sighting
     arriving light =
       constantRows (arrivalConstants light)
-        ++ [ remark "frequency / at infinity" (decimal (arrivalFrequency light) ++ "  (" ++ observerName (sceneObserver scene) ++ " observer)"),
+        ++ [ remark
+               "frequency / at infinity"
+               ( decimal (arrivalFrequency light) ++ "  (" ++ observerName (sceneObserver scene)
+                   ++ " observer)"
+               ),
              remark "fate" (fateText (arrivalFate light)),
-             remark "steps" (show (arrivalSteps light) ++ " (" ++ integratorName (sceneIntegrator scene) ++ ")"),
+             remark
+               "steps"
+               (show (arrivalSteps light) ++ " (" ++ integratorName (sceneIntegrator scene) ++ ")"),
              Line "",
-             Line "crossings of the disk's plane, from the camera onwards (g: observed / emitted frequency of gas there)"
+             Line
+               "crossings of the disk's plane, from the camera onwards (g: observed / emitted frequency of gas there)"
            ]
         ++ crossingRows scene (arrivalCrossings light)
         ++ [ Line "",
@@ -94,33 +113,41 @@ sightRows scene sighting =
         [ field "angular momentum lambda" [decimal lambda],
           field "Carter's constant Q" [decimal carter]
         ]
-    critical = case sceneSpacetime scene of
-      Flat -> ""
-      _ -> "  (critical: " ++ decimal criticalImpactParameter ++ ")"
+    critical = maybe "" (\b -> "  (critical: " ++ decimal b ++ ")") (spacetimeCriticalImpact (sceneSpacetime scene))
     fateText fate = case fate of
       Escaped direction -> fateName fate ++ " to the sky at " ++ unwords (vector direction)
       Captured -> fateName fate ++ " by the hole"
+      Circles -> fateName fate ++ " on a photon orbit"
       Opaque -> fateName fate ++ ": the gas hides everything behind it"
       StepLimit -> fateName fate ++ " reached"
 
-crossingRows :: Scene -> [PlaneCrossing] -> [Row]
+crossingRows :: Scene -> [PlaneCrossing (Maybe Redshift)] -> [Row]
 crossingRows _ [] = [Line "  none"]
 crossingRows scene crossings = Cells ("" : titles) : zipWith row [1 :: Int ..] crossings
   where
     shifts = sceneShifts scene
     everything = shifts == Shifts True True
-    titles = ["r", "azimuth (deg)", "g", "g (gravity)", "g (motion)"] ++ ["g (shown)" | not everything]
+    titles =
+      ["r", "azimuth (deg)", "g", "g (gravity)", "g (motion)"]
+        ++ ["g (shown)" | not everything]
     row n crossing =
       field ("crossing " ++ show n) $
         decimal (crossingRadius crossing) :
         decimal (inDegrees (toDegrees (Radians (crossingAzimuth crossing)))) :
-        maybe ["-", "-", "-"] parts (crossingShift crossing)
+        maybe ["-", "-", "-"] parts (crossingLight crossing)
     parts shift =
-      [ decimal (redshiftGravitational shift * redshiftDoppler shift),
+      [ decimal (redshiftFactor shift),
         decimal (redshiftGravitational shift),
         decimal (redshiftDoppler shift)
       ]
         ++ [decimal (shiftFactor shifts shift) | not everything]
+
+-- | The part of g that applies to light from the gas. The observer's own motion belongs
+-- to the gravitational part ('Redshift').
+shiftFactor :: Shifts -> Redshift -> Double
+shiftFactor (Shifts doppler gravity) shift =
+  (if gravity then redshiftGravitational shift else 1)
+    * (if doppler then redshiftDoppler shift else 1)
 
 -- | The light along the line of sight.
 lightRows :: Sighting -> [Row]
@@ -132,7 +159,9 @@ lightRows sighting =
     parts light =
       [ colour "from the gas" (arrivalGas light),
         colour "from the sky, before the gas" (arrivalSky light),
-        colour "from the sky, through the gas" (scaleRadiance (arrivalTransmittance light) (arrivalSky light))
+        colour
+          "from the sky, through the gas"
+          (scaleRadiance (arrivalTransmittance light) (arrivalSky light))
       ]
 
 -- | The samples, if there is more than one.

@@ -53,8 +53,17 @@ data JoinOptions = JoinOptions
 joinOptions :: Parser JoinOptions
 joinOptions =
   JoinOptions
-    <$> some (strArgument (metavar "TILE..." <> filesEnding [tileExtension] <> help "Tile files, in any order"))
-    <*> settingOr "blackhole.png" (strOption (long "output" <> short 'o' <> metavar "FILE" <> action "file" <> help "File to write: .png, .jpg, .tif, .hdr or .exr (default: blackhole.png)"))
+    <$> some
+      ( strArgument
+          (metavar "TILE..." <> filesEnding [tileExtension] <> help "Tile files, in any order")
+      )
+    <*> settingOr
+      "blackhole.png"
+      ( strOption
+          ( long "output" <> short 'o' <> metavar "FILE" <> action "file"
+              <> help "File to write: .png, .jpg, .tif, .hdr or .exr (default: blackhole.png)"
+          )
+      )
     <*> codingOptions
     <*> threadsOption
     <*> reporting
@@ -64,7 +73,10 @@ join :: JoinOptions -> IO ExitStatus
 join options = case formatOf (joinOutput options) of
   Nothing -> complainAll UsageError [unknownExtensionOf (joinOutput options)]
   Just format
-    | problems@(_ : _) <- codingProblem format (joinCoding options) ++ checkThreads (joinThreads options) -> complainAll UsageError problems
+    | problems@(_ : _) <-
+        codingProblem format (joinCoding options)
+          ++ checkThreads (joinThreads options) ->
+      complainAll UsageError problems
     | otherwise -> do
       start <- getMonotonicTime
       opened <- openTiles (joinTiles options)
@@ -72,25 +84,37 @@ join options = case formatOf (joinOutput options) of
 
 -- | The same for open tiles of a scene, given the time of the start.
 joinOpen :: JoinOptions -> Format -> Double -> Scene -> [TileFile] -> IO ExitStatus
-joinOpen options format start scene tiles = whenWritable writing . inWorkers (joinThreads options) $ \workers -> do
-  status <- withProgress (progressMode reported) height (width * sceneSamples scene) $ \report ->
-    let rowsOf (first, count) = report first >> readPictureRows tiles (first, count)
-     in case pictureEncoder workers software format (joinCoding options) (scene :| []) counts of
-          Nothing -> complain CannotWrite (noRoom output)
-          Just encode -> storeBy output (toHandle >=> encode rowsOf)
-  if status == Done
-    then do
-      pictureSucceeded reported start output (width, height)
-      end <- getMonotonicTime
-      memory <- peakMemory
-      storeStats reported (joinStatsJson versionLine scene (length tiles) workers (end - start) memory)
-    else pure status
+joinOpen options format start scene tiles = whenWritable writing . inWorkers (joinThreads options) $
+  \workers -> do
+    status <- withProgress (progressMode reported) height (width * sceneSamples scene) $ \report ->
+      let rowsOf (first, count) = report first >> readPictureRows tiles (first, count)
+       in case pictureEncoder workers software format (joinCoding options) (scene :| []) counts of
+            Nothing -> complain CannotWrite (noRoom output)
+            Just encode -> storeBy output (toHandle >=> encode rowsOf)
+    if status == Done
+      then do
+        pictureSucceeded reported start output (width, height)
+        end <- getMonotonicTime
+        memory <- peakMemory
+        storeStats
+          reported
+          (joinStatsJson versionLine scene (length tiles) workers (end - start) memory)
+      else pure status
   where
     output = joinOutput options
     reported = joinReporting options
     Picture width height = scenePicture scene
-    writing = Writing (Making (Joined format) False False) scene height [("a tile", tileFilePath tile) | tile <- tiles] output reported
-    counts row = fromMaybe (Vector.replicate width (fromIntegral (sceneSamples scene))) <$> readCountsRow tiles row
+    writing =
+      Writing
+        (Making (Joined format) False False)
+        scene
+        height
+        [("a tile", tileFilePath tile) | tile <- tiles]
+        output
+        reported
+    counts row =
+      fromMaybe (Vector.replicate width (fromIntegral (sceneSamples scene)))
+        <$> readCountsRow tiles row
 
 -- | The scene of some tile files and the files themselves, or one line for each reason
 -- why they cannot be joined. Reads all of them once.
@@ -109,11 +133,14 @@ openTiles paths = do
     look path = do
       opened <- try (openTile path)
       pure $ case opened of
-        Left refusal -> Left (path ++ ": cannot be read: " ++ ioeGetErrorString (refusal :: IOException))
+        Left refusal ->
+          Left
+            (path ++ ": cannot be read: " ++ ioeGetErrorString (refusal :: IOException))
         Right (Left reason) -> Left (path ++ ": " ++ reason)
         Right (Right tile) -> Right tile
     damage tile = do
       intact <- try (tileIntact tile) :: IO (Either IOException Bool)
       pure [tileFilePath tile ++ ": damaged; render this tile again" | intact /= Right True]
     sceneOf tile =
-      resolveRequest (Request Nothing (Just (tileFilePath tile, tileScene (tileFileHeader tile))) "." [])
+      resolveRequest
+        (Request Nothing (Just (tileFilePath tile, tileScene (tileFileHeader tile))) "." [])

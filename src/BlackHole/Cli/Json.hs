@@ -37,7 +37,10 @@ renderJson json = go "" json ++ "\n"
     block _ open close [] = [open, close]
     block indent open close parts =
       let inner = "  " ++ indent
-       in [open] ++ "\n" ++ intercalate ",\n" [inner ++ part inner | part <- parts] ++ "\n" ++ indent ++ [close]
+       in [open] ++ "\n" ++ intercalate ",\n" [inner ++ part inner | part <- parts]
+            ++ "\n"
+            ++ indent
+            ++ [close]
 
 -- | Text on one line, without a newline at its end.
 jsonLine :: Json -> String
@@ -50,14 +53,19 @@ jsonLine value = case value of
   Truth b -> if b then "true" else "false"
   Text s -> quoted s
   List items -> "[" ++ intercalate ", " (map jsonLine items) ++ "]"
-  Object members -> "{" ++ intercalate ", " [quoted name ++ ": " ++ jsonLine item | (name, item) <- members] ++ "}"
+  Object members ->
+    "{"
+      ++ intercalate ", " [quoted name ++ ": " ++ jsonLine item | (name, item) <- members]
+      ++ "}"
 
 quoted :: String -> String
 quoted s = "\"" ++ concatMap escaped s ++ "\""
   where
     escaped c
       | c == '"' || c == '\\' = ['\\', c]
-      | isControl c && ord c < 0x20 = "\\u" ++ reverse (take 4 (reverse ("0000" ++ showHex (ord c) "")))
+      | isControl c && ord c < 0x20 =
+        "\\u"
+          ++ reverse (take 4 (reverse ("0000" ++ showHex (ord c) "")))
       | otherwise = [c]
 
 -- | The shortest decimal that reads back as the same number, with at most 17

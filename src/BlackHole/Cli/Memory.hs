@@ -46,7 +46,20 @@ data Making = Making
 -- again): at least 12 bytes a pixel of light, and what a stage holds beside it.
 pictureMemory :: Making -> Scene -> Int -> Integer
 pictureMemory (Making product' blurred kept) scene rows =
-  50331648 + toInteger width * toInteger rows * sum (ofProduct : [n | (True, n) <- [(sceneBeam scene > 0, 18), (sceneBloom scene > 0, 18), (sceneSpikes scene > 0, 18), (blurred, 48), (kept, 14), (mostSamples scene > sceneSamples scene, 8)]])
+  50331648 + toInteger width * toInteger rows
+    * sum
+      ( ofProduct :
+          [ n
+            | (True, n) <-
+                [ (sceneBeam scene > 0, 18),
+                  (sceneBloom scene > 0, 18),
+                  (sceneSpikes scene > 0, 18),
+                  (blurred, 48),
+                  (kept, 14),
+                  (mostSamples scene > sceneSamples scene, 8)
+                ]
+          ]
+      )
   where
     Picture width _ = scenePicture scene
     ofProduct = case product' of
@@ -70,7 +83,9 @@ availableMemory = do
   free <- firstLine "/proc/meminfo" "MemAvailable:"
   limit <- readSmall "/sys/fs/cgroup/memory.max"
   used <- readSmall "/sys/fs/cgroup/memory.current"
-  own <- softLimit . either noLimits id <$> (try (getResourceLimit ResourceTotalMemory) :: IO (Either IOException ResourceLimits))
+  own <-
+    softLimit . either noLimits id
+      <$> (try (getResourceLimit ResourceTotalMemory) :: IO (Either IOException ResourceLimits))
   let group = (\l u -> max 0 (l - u)) <$> (readMaybe =<< limit) <*> (readMaybe =<< used)
       known = catMaybes [free, group, (`quot` 3) . (* 2) <$> asNumber own]
   pure (if null known then Nothing else Just (minimum known))
@@ -88,7 +103,9 @@ memoryProblem making scene rows = judge <$> availableMemory
     judge (Just there)
       | needed > there =
         Just $
-          "a picture of " ++ show width ++ " x " ++ show rows ++ " pixels needs " ++ mebibytes needed ++ " of memory, but only "
+          "a picture of " ++ show width ++ " x " ++ show rows ++ " pixels needs "
+            ++ mebibytes needed
+            ++ " of memory, but only "
             ++ mebibytes there
             ++ " are available; make it smaller"
             ++ case makingProduct making of
@@ -111,10 +128,15 @@ firstLine file word = do
   pure $ listToMaybe (mapMaybe kilobytes (maybe [] lines text))
   where
     kilobytes line
-      | word `isPrefixOf` line = (* 1024) <$> readMaybe (takeWhile isDigit (dropWhile (not . isDigit) line))
+      | word `isPrefixOf` line =
+        (* 1024)
+          <$> readMaybe (takeWhile isDigit (dropWhile (not . isDigit) line))
       | otherwise = Nothing
 
 readSmall :: FilePath -> IO (Maybe String)
 readSmall file = do
-  outcome <- try (readFile file >>= \text -> text <$ evaluate (length text)) :: IO (Either IOException String)
+  outcome <-
+    try (readFile file >>= \text -> text <$ evaluate (length text)) ::
+      IO
+        (Either IOException String)
   pure (either (const Nothing) Just outcome)

@@ -62,11 +62,17 @@ data Parsed
 parseArguments :: String -> [String] -> Parsed
 parseArguments version given = case given of
   [] -> Unnamed (trimmed (overview commandHelps))
-  [name] | Just c <- named' [name], name `elem` map (takeWhile (/= ' ')) innerNames -> Unnamed (helpText c)
+  [name]
+    | Just c <- named' [name],
+      name
+        `elem` map (takeWhile (/= ' ')) innerNames ->
+      Unnamed (helpText c)
   _ -> case execParserPure preferences (commandLine version) arguments of
     Success (Task task) -> Run task
     Success (HelpOn []) -> Inform (trimmed (overview commandHelps))
-    Success (HelpOn ["man"]) -> Inform (trimmed (manualPage (unwords (take 2 (words version))) commandHelps))
+    Success (HelpOn ["man"]) ->
+      Inform
+        (trimmed (manualPage (unwords (take 2 (words version))) commandHelps))
     Success (HelpOn wanted) -> either Misused (Inform . trimmed) (helpOn commandHelps wanted)
     CompletionInvoked _ -> Misused "completion works only through the shell's completion script"
     Failure failure -> case execFailure failure "blackhole" of
@@ -84,7 +90,10 @@ parseArguments version given = case given of
     chosen = named' (take 2 arguments) <|> named' (take 1 arguments)
     innerNames = [name | name <- map commandName commandHelps, ' ' `elem` name]
     commands = case take 1 arguments of
-      [outer] | inner@(_ : _) <- [second | [first, second] <- map words innerNames, first == outer] -> inner
+      [outer]
+        | inner@(_ : _) <-
+            [second | [first, second] <- map words innerNames, first == outer] ->
+          inner
       _ -> [name | name <- map commandName commandHelps, name `notElem` innerNames]
     options = "--help" : maybe ["--version"] (concatMap entryNames . commandEntries) chosen
 
@@ -104,7 +113,11 @@ formerOptionWarnings = mapMaybe warning
   where
     warning given
       | presentOption given == given = Nothing
-      | otherwise = Just ("warning: " ++ takeWhile (/= '=') given ++ " is now called " ++ takeWhile (/= '=') (presentOption given))
+      | otherwise =
+        Just
+          ( "warning: " ++ takeWhile (/= '=') given ++ " is now called "
+              ++ takeWhile (/= '=') (presentOption given)
+          )
 
 -- | The answer to a shell's completion request or its request for the completion
 -- script; 'Nothing' for other arguments.
@@ -149,7 +162,9 @@ described =
       "animate"
       "Render the frames of an animation."
       "The animation is a scene file with a section animation (see: blackhole help animation), or an orbit around the hole in any scene (--orbit). Renders only frames that are missing, outdated or damaged, so an interrupted animation continues where it stopped. Several processes can share the work."
-      ["blackhole animate --preset luminet --orbit 360 --duration 4 -o frames/%05d.png", "blackhole animate scenes/orbit.yaml -o frames/%05d.png --video orbit.mp4"]
+      [ "blackhole animate --preset luminet --orbit 360 --duration 4 -o frames/%05d.png",
+        "blackhole animate scenes/orbit.yaml -o frames/%05d.png --video orbit.mp4"
+      ]
       (Task . Animate <$> animateOptions),
     describe
       "join"
@@ -186,7 +201,16 @@ described =
       "Explain a command or a topic."
       "Without an argument, lists the commands and topics. blackhole help man prints the manual page."
       ["blackhole help render", "blackhole help scene check", "blackhole help camera"]
-      (HelpOn <$> many (strArgument (metavar "COMMAND|TOPIC..." <> completeWith ("man" : concatMap (words . commandName) commandHelps ++ topicNames) <> help "Words that name a command or a topic")))
+      ( HelpOn
+          <$> many
+            ( strArgument
+                ( metavar "COMMAND|TOPIC..."
+                    <> completeWith
+                      ("man" : concatMap (words . commandName) commandHelps ++ topicNames)
+                    <> help "Words that name a command or a topic"
+                )
+            )
+      )
   ]
   where
     sceneTask (Described about parser) =
@@ -199,11 +223,20 @@ describedScenes =
   ]
 
 describe :: String -> String -> String -> [String] -> Parser Request -> Described
-describe name summary details examples parser = Described (CommandHelp name summary details examples (parserEntries parser)) parser
+describe name summary details examples parser =
+  Described
+    (CommandHelp name summary details examples (parserEntries parser))
+    parser
 
 commandLine :: String -> ParserInfo Request
-commandLine version = info (hsubparser (foldMap task described) <**> versionOption <**> helper) fullDesc
+commandLine version =
+  info
+    (hsubparser (foldMap task described) <**> versionOption <**> helper)
+    fullDesc
   where
-    task (Described about parser) = command (commandName about) (info parser (progDesc (commandSummary about)))
+    task (Described about parser) =
+      command
+        (commandName about)
+        (info parser (progDesc (commandSummary about)))
     versionOption =
       infoOption version (long "version" <> help "Print the version and exit")

@@ -25,7 +25,9 @@ overwritten inputs outputs = do
     identified named@(_, path) = fmap (,named) <$> identify path
     go _ [] = []
     go known ((identity, (option, path)) : rest) =
-      [ option ++ ": '" ++ path ++ "' is the file of " ++ other ++ (if path == otherPath then "" else " ('" ++ otherPath ++ "')") ++ "; choose another"
+      [ option ++ ": '" ++ path ++ "' is the file of " ++ other
+          ++ (if path == otherPath then "" else " ('" ++ otherPath ++ "')")
+          ++ "; choose another"
         | Just (other, otherPath) <- [Map.lookup identity known]
       ]
         ++ go (Map.insert identity (option, path) known) rest

@@ -41,7 +41,10 @@ outputFormat name = formatOf name
 -- | The problem of a file name whose extension is of no format.
 unknownExtensionOf :: FilePath -> Problem
 unknownExtensionOf output =
-  Problem "--output" ("'" ++ output ++ "'") ("a file name that ends in " ++ intercalate ", " (map fst formatExtensions))
+  Problem
+    "--output"
+    ("'" ++ output ++ "'")
+    ("a file name that ends in " ++ intercalate ", " (map fst formatExtensions))
 
 -- | The message for a picture that its format cannot hold.
 noRoom :: FilePath -> String
@@ -63,7 +66,10 @@ data Writing = Writing
 -- can be written, as far as that is known in advance, without overwriting an input.
 whenWritable :: Writing -> IO ExitStatus -> IO ExitStatus
 whenWritable (Writing making scene rows inputs output reported) action = do
-  clashes <- overwritten inputs (("--output", output) : [("--stats", file) | Just file <- [reportStats reported]])
+  clashes <-
+    overwritten
+      inputs
+      (("--output", output) : [("--stats", file) | Just file <- [reportStats reported]])
   lacking <- memoryProblem making scene rows
   outputProblem <- outputFault output
   statsProblem <- maybe (pure (Right ())) checkWritable (reportStats reported)
@@ -83,7 +89,10 @@ outputFault "-" = do
   pure $
     if closed
       then Just "standard output is closed"
-      else if terminal then Just "standard output is a terminal; redirect it to a file or a program" else Nothing
+      else
+        if terminal
+          then Just "standard output is a terminal; redirect it to a file or a program"
+          else Nothing
 outputFault name = either (Just . renderWriteProblem) (const Nothing) <$> checkWritable name
 
 -- | Writes a file or, for @-@, to standard output.
@@ -92,17 +101,24 @@ store output bytes = storeBy output (`Lazy.hPut` bytes)
 
 -- | 'store' for an action that writes to a handle.
 storeBy :: FilePath -> (Handle -> IO ()) -> IO ExitStatus
-storeBy "-" write = printWith write >>= either (complain CannotWrite . ("--output: " ++) . outputProblemText) (const (pure Done))
+storeBy "-" write =
+  printWith write
+    >>= either (complain CannotWrite . ("--output: " ++) . outputProblemText) (const (pure Done))
 storeBy output write = writeAtomically output write >>= stored "--output"
 
 -- | Writes the statistics, if the options ask for them.
 storeStats :: Reporting -> Json -> IO ExitStatus
 storeStats reported stats = case reportStats reported of
-  Just file -> writeFileAtomically file (Builder.toLazyByteString (Builder.stringUtf8 (renderJson stats))) >>= stored "--stats"
+  Just file ->
+    writeFileAtomically file (Builder.toLazyByteString (Builder.stringUtf8 (renderJson stats)))
+      >>= stored "--stats"
   Nothing -> pure Done
 
 stored :: String -> Either WriteProblem () -> IO ExitStatus
-stored option = either (complain CannotWrite . ((option ++ ": ") ++) . renderWriteProblem) (const (pure Done))
+stored option =
+  either
+    (complain CannotWrite . ((option ++ ": ") ++) . renderWriteProblem)
+    (const (pure Done))
 
 -- | Reports that a picture of a width and height is written, given the time of the start,
 -- unless the options ask for silence. Progress in JSON gets a JSON object.
@@ -112,7 +128,12 @@ pictureSucceeded reported start file (width, height) = case progressMode reporte
   JsonProgress -> do
     end <- getMonotonicTime
     tell . (++ "\n") . jsonLine $
-      Object [("file", Text file), ("width", Whole width), ("height", Whole height), ("seconds", Number (end - start))]
+      Object
+        [ ("file", Text file),
+          ("width", Whole width),
+          ("height", Whole height),
+          ("seconds", Number (end - start))
+        ]
   _ -> succeeded start file (show width ++ " × " ++ show height)
 
 -- | Runs an action with the given number of workers, or one per core.

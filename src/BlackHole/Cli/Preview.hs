@@ -33,7 +33,9 @@ data Palette
 palette :: Bool -> [(String, String)] -> Palette
 palette isTerminal environment
   | not isTerminal || given "NO_COLOR" || term `elem` ["", "dumb"] = Letters
-  | value "COLORTERM" `elem` ["truecolor", "24bit"] || "-direct" `isSuffixOf` term || any (`isInfixOf` term) ["kitty", "alacritty", "truecolor"] = TrueColour
+  | value "COLORTERM" `elem` ["truecolor", "24bit"] || "-direct" `isSuffixOf` term
+      || any (`isInfixOf` term) ["kitty", "alacritty", "truecolor"] =
+    TrueColour
   | otherwise = IndexedColour
   where
     value name = fromMaybe "" (lookup name environment)
@@ -45,10 +47,15 @@ palette isTerminal environment
 -- line free, at least one column and one line. A character shows two pixels, one above
 -- the other, which makes them nearly square.
 previewSize :: Int -> Int -> (Int, Int) -> (Int, Int)
-previewSize columns textLines (width, height) = (max 1 (min columns across), 2 * max 1 (min room down))
+previewSize columns textLines (width, height) =
+  (max 1 (min columns across), 2 * max 1 (min room down))
   where
     room = max 1 (textLines - 1)
-    fitted = min (fromIntegral columns / fromIntegral width) (fromIntegral (2 * room) / fromIntegral height) :: Double
+    fitted =
+      min
+        (fromIntegral columns / fromIntegral width)
+        (fromIntegral (2 * room) / fromIntegral height) ::
+        Double
     across = round (fitted * fromIntegral width)
     down = round (fitted * fromIntegral height / 2)
 
@@ -68,12 +75,25 @@ previewText colours codes = concatMap line [0, 2 .. shapeHeight shape - 2]
     go before (cell@(upper, lower) : rest) = case colours of
       Letters -> letter upper lower : go before rest
       -- Escape codes are written only where the colours change.
-      TrueColour -> said before cell (direct "38" upper ++ direct "48" lower) ++ "▀" ++ go (Just cell) rest
-      IndexedColour -> said before cell (indexed "38" upper ++ indexed "48" lower) ++ "▀" ++ go (Just cell) rest
+      TrueColour ->
+        said before cell (direct "38" upper ++ direct "48" lower) ++ "▀"
+          ++ go (Just cell) rest
+      IndexedColour ->
+        said before cell (indexed "38" upper ++ indexed "48" lower)
+          ++ "▀"
+          ++ go (Just cell) rest
     said before cell escape = if before == Just cell then "" else escape
-    direct ground (r, g, b) = "\ESC[" ++ ground ++ ";2;" ++ show r ++ ";" ++ show g ++ ";" ++ show b ++ "m"
+    direct ground (r, g, b) =
+      "\ESC[" ++ ground ++ ";2;" ++ show r ++ ";" ++ show g
+        ++ ";"
+        ++ show b
+        ++ "m"
     indexed ground colour = "\ESC[" ++ ground ++ ";5;" ++ show (nearestIndex colour) ++ "m"
-    letter a b = densities !! min (length densities - 1) (floor (fromIntegral (length densities) * (lightness a + lightness b) / 2))
+    letter a b =
+      densities
+        !! min
+          (length densities - 1)
+          (floor (fromIntegral (length densities) * (lightness a + lightness b) / 2))
     densities = " .:-=+*#%@"
 
 -- | The approximate perceived lightness of a pixel, 0 to 1.
@@ -85,7 +105,9 @@ lightness (r, g, b) = luminance (Radiance (linear r) (linear g) (linear b)) ** (
 -- | The nearest of xterm's 216 colours and 24 greys, by distance between codes.
 nearestIndex :: (Word8, Word8, Word8) -> Int
 nearestIndex (r, g, b)
-  | distance (cubeLevel r', cubeLevel g', cubeLevel b') <= distance (greyLevel, greyLevel, greyLevel) =
+  | distance (cubeLevel r', cubeLevel g', cubeLevel b')
+      <= distance
+        (greyLevel, greyLevel, greyLevel) =
     16 + 36 * cubePlace r' + 6 * cubePlace g' + cubePlace b'
   | otherwise = 232 + greyPlace
   where

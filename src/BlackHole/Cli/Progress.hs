@@ -96,7 +96,9 @@ progressBarLine coloured columns (Progress fraction text _)
 
 -- | One JSON object on one line; @null@ for numbers that are not known yet.
 progressJsonLine :: Progress -> String
-progressJsonLine (Progress fraction _ members) = jsonLine (Object (("fraction", Number fraction) : members))
+progressJsonLine (Progress fraction _ members) =
+  jsonLine
+    (Object (("fraction", Number fraction) : members))
 
 -- | Shows progress on standard error.
 data Reporter = Reporter
@@ -117,12 +119,19 @@ newReporter mode = do
   let every seconds line progress = do
         now <- getMonotonicTime
         before <- readIORef told
-        when (now - before >= seconds || (mode == JsonProgress && progressFraction progress >= 1)) $ do
-          writeIORef told now
-          tell =<< line progress
+        when (now - before >= seconds || (mode == JsonProgress && progressFraction progress >= 1)) $
+          do
+            writeIORef told now
+            tell =<< line progress
       bar progress = do
         window <- if terminal then Terminal.hSize stderr else pure Nothing
-        pure (cleared ++ progressBarLine (terminal && maybe True null noColour) (maybe 80 columnsOf window - 1) progress)
+        pure
+          ( cleared
+              ++ progressBarLine
+                (terminal && maybe True null noColour)
+                (maybe 80 columnsOf window - 1)
+                progress
+          )
       -- A terminal that does not know its size says 0.
       columnsOf window = if Terminal.width window > 0 then Terminal.width window else 80
       lineOf text = pure . (++ "\n") . text

@@ -44,10 +44,45 @@ data RaysOptions = RaysOptions
 raysOptions :: Parser RaysOptions
 raysOptions =
   RaysOptions
-    <$> settingOr (fanRays defaultRayFan) (option wholeNumber (long "rays" <> metavar "N" <> help ("Number of rays, 1 to 1001; with 8 or more, four of them wind around the hole (default: " ++ show (fanRays defaultRayFan) ++ ")")))
-    <*> settingOr (fanExtent defaultRayFan) (option number (long "extent" <> metavar "R" <> help ("Half the width of the figure in Schwarzschild radii (default: " ++ showDouble (fanExtent defaultRayFan) ++ ")")))
-    <*> settingOr (fanWidth defaultRayFan) (option wholeNumber (long "width" <> metavar "PIXELS" <> help ("Width of the figure (default: " ++ show (fanWidth defaultRayFan) ++ ")")))
-    <*> settingOr "rays.svg" (strOption (long "output" <> short 'o' <> metavar "FILE" <> action "file" <> help "File to write, .svg or .png (default: rays.svg)"))
+    <$> settingOr
+      (fanRays defaultRayFan)
+      ( option
+          wholeNumber
+          ( long "rays" <> metavar "N"
+              <> help
+                ( "Number of rays, 1 to 1001; with 8 or more, four of them wind around the hole (default: "
+                    ++ show (fanRays defaultRayFan)
+                    ++ ")"
+                )
+          )
+      )
+    <*> settingOr
+      (fanExtent defaultRayFan)
+      ( option
+          number
+          ( long "extent" <> metavar "R"
+              <> help
+                ( "Half the width of the figure in Schwarzschild radii (default: "
+                    ++ showDouble (fanExtent defaultRayFan)
+                    ++ ")"
+                )
+          )
+      )
+    <*> settingOr
+      (fanWidth defaultRayFan)
+      ( option
+          wholeNumber
+          ( long "width" <> metavar "PIXELS"
+              <> help ("Width of the figure (default: " ++ show (fanWidth defaultRayFan) ++ ")")
+          )
+      )
+    <*> settingOr
+      "rays.svg"
+      ( strOption
+          ( long "output" <> short 'o' <> metavar "FILE" <> action "file"
+              <> help "File to write, .svg or .png (default: rays.svg)"
+          )
+      )
     <*> toggle (long "quiet" <> short 'q' <> help "Do not report success")
 
 -- | The file's format.
@@ -66,11 +101,19 @@ resolveRays :: RaysOptions -> Either [Problem] RaysTask
 resolveRays (RaysOptions count extent width output _) = case (format, problems) of
   (Just f, []) -> Right (RaysTask f (RayFan count extent width))
   (Just _, _) -> Left problems
-  (Nothing, _) -> Left (problems ++ [Problem "--output" ("'" ++ output ++ "'") "a file name that ends in .svg or .png"])
+  (Nothing, _) ->
+    Left
+      ( problems
+          ++ [Problem "--output" ("'" ++ output ++ "'") "a file name that ends in .svg or .png"]
+      )
   where
     problems =
       checkWhole "--rays" 1 1001 "" count
-        ++ checkNumber "--extent" (\r -> r >= 4 && r <= 1000) "a length from 4 to 1000 (Schwarzschild radii)" extent
+        ++ checkNumber
+          "--extent"
+          (\r -> r >= 4 && r <= 1000)
+          "a length from 4 to 1000 (Schwarzschild radii)"
+          extent
         ++ checkWhole "--width" 200 4096 " (pixels)" width
     format = case map toLower (takeExtension output) of
       ".svg" -> Just Svg
@@ -94,4 +137,8 @@ rays options = case resolveRays options of
     written <- writeFileAtomically (raysOutput options) (raysFile task)
     case written of
       Left problem -> complain CannotWrite ("--output: " ++ renderWriteProblem problem)
-      Right () -> Done <$ unless (raysQuiet options) (succeeded start (raysOutput options) (show (raysCount options) ++ " rays"))
+      Right () ->
+        Done
+          <$ unless
+            (raysQuiet options)
+            (succeeded start (raysOutput options) (show (raysCount options) ++ " rays"))

@@ -59,7 +59,12 @@ named :: String -> [(String, a)] -> ReadM a
 named what choices = eitherReader $ \s ->
   case lookup (map toLower s) choices of
     Just a -> Right a
-    Nothing -> Left (notA s (what ++ didYouMean s ++ "; the choices are: " ++ intercalate ", " (map fst choices)))
+    Nothing ->
+      Left
+        ( notA
+            s
+            (what ++ didYouMean s ++ "; the choices are: " ++ intercalate ", " (map fst choices))
+        )
   where
     didYouMean s = suggestion s (map fst choices)
 
@@ -70,12 +75,18 @@ filesEnding extensions = completer . mkCompleter $ \word -> do
       start = takeFileName word
   exists <- doesDirectoryExist place
   names <- if exists then listDirectory place else pure []
-  concat <$> mapM (offered place) [name | name <- names, start `isPrefixOf` name, take 1 name /= "." || take 1 start == "."]
+  concat
+    <$> mapM
+      (offered place)
+      [name | name <- names, start `isPrefixOf` name, take 1 name /= "." || take 1 start == "."]
   where
     offered place name = do
       let path = if place == "." then name else place </> name
       folder <- doesDirectoryExist path
-      pure [if folder then path ++ "/" else path | folder || map toLower (takeExtension name) `elem` extensions]
+      pure
+        [ if folder then path ++ "/" else path
+          | folder || map toLower (takeExtension name) `elem` extensions
+        ]
 
 notA :: String -> String -> String
 notA given what = "'" ++ given ++ "' is not " ++ what

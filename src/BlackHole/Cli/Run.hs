@@ -14,7 +14,14 @@ import BlackHole.Cli.Render.Render (render)
 import BlackHole.Cli.SceneCommand (runSceneCommand)
 import BlackHole.Cli.SelfTest (selfTest)
 import BlackHole.Cli.Version (versionLine)
-import Control.Exception (SomeAsyncException (..), SomeException, displayException, fromException, throwIO, try)
+import Control.Exception
+  ( SomeAsyncException (..),
+    SomeException,
+    displayException,
+    fromException,
+    throwIO,
+    try,
+  )
 import System.Exit (ExitCode (..))
 
 -- | Runs the program with its arguments. Every failure is reported in one line on
@@ -26,7 +33,9 @@ run arguments = do
     Right status -> pure (exitCode status)
     Left failure
       | Just (SomeAsyncException _) <- fromException failure -> throwIO failure
-      | otherwise -> exitCode <$> complain InternalFault (unwords (lines (displayException (failure :: SomeException))))
+      | otherwise ->
+        exitCode
+          <$> complain InternalFault (unwords (lines (displayException (failure :: SomeException))))
 
 dispatch :: [String] -> IO ExitStatus
 dispatch arguments
@@ -35,7 +44,10 @@ dispatch arguments
     mapM_ say (formerOptionWarnings arguments) >> case parseArguments versionLine arguments of
       Inform text -> printed Done (text ++ "\n")
       Unnamed text -> UsageError <$ tell (text ++ "\n")
-      Misused line -> complain UsageError (line ++ " (see: " ++ unwords ("blackhole help" : named) ++ ")")
+      Misused line ->
+        complain
+          UsageError
+          (line ++ " (see: " ++ unwords ("blackhole help" : named) ++ ")")
       Run command -> runCommand command
   where
     named = filter (`elem` map commandName commandHelps) (take 1 arguments)

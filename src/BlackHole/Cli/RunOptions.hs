@@ -29,11 +29,29 @@ data Reporting = Reporting
 reporting :: Parser Reporting
 reporting =
   Reporting
-    <$> setting (option (named "a way to report progress" modes) (long "progress" <> metavar "HOW" <> completeWith (map fst modes) <> help "Progress on standard error: auto (a bar on a terminal, otherwise lines), bar, lines, json (one object per line) or none (default: auto)"))
+    <$> setting
+      ( option
+          (named "a way to report progress" modes)
+          ( long "progress" <> metavar "HOW" <> completeWith (map fst modes)
+              <> help
+                "Progress on standard error: auto (a bar on a terminal, otherwise lines), bar, lines, json (one object per line) or none (default: auto)"
+          )
+      )
     <*> toggle (long "quiet" <> short 'q' <> help "Report neither progress nor success")
-    <*> setting (strOption (long "stats" <> metavar "FILE.json" <> action "file" <> help "Write statistics to this file: seconds, memory, workers and more"))
+    <*> setting
+      ( strOption
+          ( long "stats" <> metavar "FILE.json" <> action "file"
+              <> help "Write statistics to this file: seconds, memory, workers and more"
+          )
+      )
   where
-    modes = [("auto", AutoProgress), ("bar", BarProgress), ("lines", LineProgress), ("json", JsonProgress), ("none", NoProgress)]
+    modes =
+      [ ("auto", AutoProgress),
+        ("bar", BarProgress),
+        ("lines", LineProgress),
+        ("json", JsonProgress),
+        ("none", NoProgress)
+      ]
 
 -- | How to report progress. @--quiet@ takes precedence over @--progress@.
 progressMode :: Reporting -> ProgressMode
@@ -44,7 +62,14 @@ progressMode options
 -- | @--threads@; its value is not checked yet.
 threadsOption :: Parser (Maybe Int)
 threadsOption =
-  setting (option wholeNumber (long "threads" <> metavar "N" <> help "Number of worker threads, which does not change the result (default: one per core)"))
+  setting
+    ( option
+        wholeNumber
+        ( long "threads" <> metavar "N"
+            <> help
+              "Number of worker threads, which does not change the result (default: one per core)"
+        )
+    )
 
 -- | The options of a rendering.
 data RunOptions = RunOptions
@@ -61,5 +86,11 @@ runOptions :: Parser RunOptions
 runOptions =
   RunOptions
     <$> reporting
-    <*> toggle (long "strict" <> help "Fail with exit code 1 and write no file if a pixel has no finite radiance")
-    <*> toggle (long "keep-partial" <> help "When interrupted, write the picture with the unfinished rows black")
+    <*> toggle
+      ( long "strict"
+          <> help "Fail with exit code 1 and write no file if a pixel has no finite radiance"
+      )
+    <*> toggle
+      ( long "keep-partial"
+          <> help "When interrupted, write the picture with the unfinished rows black"
+      )

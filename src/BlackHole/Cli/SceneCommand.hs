@@ -45,13 +45,18 @@ sceneCommands =
       "Print a preset as a scene file with comments.",
       "",
       ["blackhole scene show report > mine.yaml"],
-      ShowScene <$> strArgument (metavar "NAME" <> completeWith presetNames <> help ("Preset: " ++ intercalate ", " presetNames))
+      ShowScene
+        <$> strArgument
+          ( metavar "NAME" <> completeWith presetNames
+              <> help ("Preset: " ++ intercalate ", " presetNames)
+          )
     ),
     ( "check",
       "Report every mistake in a scene file.",
       "Each mistake is one line with the file, the line number, the setting, its value and the allowed range. The exit code is 3 if there are any.",
       ["blackhole scene check mine.yaml"],
-      CheckScene <$> strArgument (metavar "SCENE.yaml" <> filesEnding [".yaml", ".yml"] <> help "Scene file")
+      CheckScene
+        <$> strArgument (metavar "SCENE.yaml" <> filesEnding [".yaml", ".yml"] <> help "Scene file")
     ),
     ( "print",
       "Print the complete scene that a file and options make.",
@@ -78,21 +83,48 @@ runSceneCommand task = sceneText task >>= either ((status <$) . mapM_ say) (prin
 -- | The output of a command, or one line for each mistake.
 sceneText :: SceneCommand -> IO (Either [String] String)
 sceneText task = case task of
-  ListScenes -> pure (Right (unlines [presetName p ++ replicate (14 - length (presetName p)) ' ' ++ presetShows p | p <- describedPresets]))
+  ListScenes ->
+    pure
+      ( Right
+          ( unlines
+              [ presetName p ++ replicate (14 - length (presetName p)) ' ' ++ presetShows p
+                | p <- describedPresets
+              ]
+          )
+      )
   ShowScene name -> pure $ case [p | p <- describedPresets, presetName p == name] of
-    p : _ -> Right (printScene ["The preset " ++ name ++ ": " ++ presetShows p ++ "."] (presetScene p))
-    [] -> Left [renderProblem (Problem "scene show" ("'" ++ name ++ "'") ("a preset" ++ suggestion name presetNames ++ "; the presets are: " ++ intercalate ", " presetNames))]
+    p : _ ->
+      Right
+        (printScene ["The preset " ++ name ++ ": " ++ presetShows p ++ "."] (presetScene p))
+    [] ->
+      Left
+        [ renderProblem
+            ( Problem
+                "scene show"
+                ("'" ++ name ++ "'")
+                ( "a preset" ++ suggestion name presetNames ++ "; the presets are: "
+                    ++ intercalate ", " presetNames
+                )
+            )
+        ]
   CheckScene file -> do
     bytes <- readSceneFile file
     either (pure . Left . pure) (checked file) bytes
-  PrintScene options -> fmap (printScene ["A complete scene, with every setting."]) <$> loadScene options
+  PrintScene options ->
+    fmap (printScene ["A complete scene, with every setting."])
+      <$> loadScene options
   SceneSchema -> pure (Right (renderJson sceneSchema))
   where
     checked file bytes = do
       warnFormerNames options bytes
       picture <- either (const (pure Nothing)) skyFault (resolveScene options (Just bytes))
       pure $ case (resolveAnimation options (Just bytes), picture) of
-        (Right (Just ready), _) | faults@(_ : _) <- frameFaults ready [0 .. animationFrames ready - 1] -> Left (take maximumFaults faults)
+        (Right (Just ready), _)
+          | faults@(_ : _) <-
+              frameFaults
+                ready
+                [0 .. animationFrames ready - 1] ->
+            Left (take maximumFaults faults)
         (Right _, Just line) -> Left [line]
         (animation, _) -> (file ++ ": no problems\n") <$ animation
       where

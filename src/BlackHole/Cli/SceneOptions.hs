@@ -46,8 +46,22 @@ data SceneOptions = SceneOptions
 sceneOptions :: Parser SceneOptions
 sceneOptions =
   SceneOptions
-    <$> optional (strArgument (metavar "SCENE.yaml" <> filesEnding [".yaml", ".yml"] <> help "Scene file; options override its settings"))
-    <*> setting (strOption (long "preset" <> metavar "NAME" <> completeWith presetNames <> help ("Preset to start from, also instead of the scene file's: " ++ intercalate ", " presetNames ++ " (default: default)")))
+    <$> optional
+      ( strArgument
+          ( metavar "SCENE.yaml" <> filesEnding [".yaml", ".yml"]
+              <> help "Scene file; options override its settings"
+          )
+      )
+    <*> setting
+      ( strOption
+          ( long "preset" <> metavar "NAME" <> completeWith presetNames
+              <> help
+                ( "Preset to start from, also instead of the scene file's: "
+                    ++ intercalate ", " presetNames
+                    ++ " (default: default)"
+                )
+          )
+      )
     <*> (catMaybes <$> traverse fieldSetting sceneFields)
 
 fieldSetting :: Field -> Parser (Maybe Setting)
@@ -56,7 +70,13 @@ fieldSetting field = fmap (Setting (fieldPath field)) <$> given
     given = case fieldOption field of
       Nothing -> pure Nothing
       Just (Takes name placeholder) ->
-        setting (option (valueOf (fieldKind field)) (long name <> metavar placeholder <> valueCompletion (fieldKind field) <> help (fieldDoc field)))
+        setting
+          ( option
+              (valueOf (fieldKind field))
+              ( long name <> metavar placeholder <> valueCompletion (fieldKind field)
+                  <> help (fieldDoc field)
+              )
+          )
       Just (Sets name v text) ->
         (\on -> if on then Just v else Nothing) <$> toggle (long name <> help text)
 
@@ -88,11 +108,18 @@ sceneRequest (SceneOptions file preset settings) bytes =
 resolveMetadata :: SceneOptions -> FilePath -> Bytes.ByteString -> Either [String] (NonEmpty Scene)
 resolveMetadata (SceneOptions _ preset settings) picture bytes = do
   texts <- either (Left . pure . ((picture ++ ": ") ++)) Right (splitBlurredScenes bytes)
-  scenes@(first :| others) <- traverse (\text -> resolveRequest (Request preset (Just (picture, text)) "." settings)) texts
-  let alike scene = scenePicture scene == scenePicture first && neededPicture scene == neededPicture first
+  scenes@(first :| others) <-
+    traverse
+      (\text -> resolveRequest (Request preset (Just (picture, text)) "." settings))
+      texts
+  let alike scene =
+        scenePicture scene == scenePicture first
+          && neededPicture scene == neededPicture first
   if all alike others
     then Right scenes
-    else Left [picture ++ ": the scenes of its motion blur differ in picture size or environment map"]
+    else
+      Left
+        [picture ++ ": the scenes of its motion blur differ in picture size or environment map"]
 
 -- | The scene that the options ask for, like 'resolveScene', reading the file. Warns of
 -- former names on standard error.
@@ -111,7 +138,8 @@ warnFormerNames options bytes =
 -- | The files that a scene is read from, with the names that messages use for them.
 sceneInputs :: SceneOptions -> Scene -> [(String, FilePath)]
 sceneInputs options scene =
-  [("the scene", file) | Just file <- [sceneFile options]] ++ [("the sky", file) | Just file <- [neededPicture scene]]
+  [("the scene", file) | Just file <- [sceneFile options]]
+    ++ [("the sky", file) | Just file <- [neededPicture scene]]
 
 -- | Continues with the environment map of a scene, if it has one.
 underSky :: Scene -> (Maybe SkyFile -> IO ExitStatus) -> IO ExitStatus

@@ -21,7 +21,9 @@ sceneSchema =
     [ ("$schema", Text "http://json-schema.org/draft-07/schema#"),
       ("title", Text "blackhole scene file")
     ]
-      ++ group [("preset", presetSchema), (animationKey, animationSchema)] [(splitOn '.' (fieldPath f), f) | f <- sceneFields]
+      ++ group
+        [("preset", presetSchema), (animationKey, animationSchema)]
+        [(splitOn '.' (fieldPath f), f) | f <- sceneFields]
   where
     presetSchema =
       Object
@@ -52,13 +54,18 @@ animationSchema =
     [ ("description", Text "Animation for blackhole animate: what changes from frame to frame"),
       ("type", Text "object"),
       ("additionalProperties", Truth False),
-      ("properties", Object (map entry animationKeys ++ [("camera-path", pathSchema), ("keyframes", keyframesSchema)]))
+      ( "properties",
+        Object
+          (map entry animationKeys ++ [("camera-path", pathSchema), ("keyframes", keyframesSchema)])
+      )
     ]
   where
     entry e = (keyName e, valueSchema (keyDoc e) (keyKind e))
     pathSchema =
       Object
-        [ ("description", Text "Movement of the camera, starting from where the scene and the keyframes put it"),
+        [ ( "description",
+            Text "Movement of the camera, starting from where the scene and the keyframes put it"
+          ),
           ("oneOf", List (map pathKindSchema pathKinds))
         ]
     pathKindSchema (kind, doc, names) =
@@ -67,7 +74,15 @@ animationSchema =
           ("type", Text "object"),
           ("additionalProperties", Truth False),
           ("required", List [Text "kind"]),
-          ("properties", Object (("kind", Object [("const", Text kind)]) : [entry e | e <- cameraPathKeys, keyName e `elem` names]))
+          ( "properties",
+            Object
+              ( ("kind", Object [("const", Text kind)]) :
+                  [ entry e
+                    | e <- cameraPathKeys,
+                      keyName e `elem` names
+                  ]
+              )
+          )
         ]
     keyframesSchema =
       Object
@@ -89,14 +104,36 @@ valueSchema :: String -> Kind -> Json
 valueSchema doc kind = Object (("description", Text doc) : ofKind)
   where
     ofKind = case kind of
-      NumberKind quantity -> ("type", Text "number") : least (quantityLeast quantity) ++ most (quantityMost quantity)
-      WholeKind low high _ -> [("type", Text "integer"), ("minimum", Whole low), ("maximum", Whole high)]
-      SeedKind -> [("type", Text "integer"), ("minimum", Whole 0), ("exclusiveMaximum", Number 18446744073709551616)]
-      SwitchKind -> [("enum", List ([Truth True, Truth False] ++ map Text ["on", "off", "yes", "no"]))]
+      NumberKind quantity ->
+        ("type", Text "number") :
+        least (quantityLeast quantity)
+          ++ most (quantityMost quantity)
+      WholeKind low high _ ->
+        [("type", Text "integer"), ("minimum", Whole low), ("maximum", Whole high)]
+      SeedKind ->
+        [ ("type", Text "integer"),
+          ("minimum", Whole 0),
+          ("exclusiveMaximum", Number 18446744073709551616)
+        ]
+      SwitchKind ->
+        [("enum", List ([Truth True, Truth False] ++ map Text ["on", "off", "yes", "no"]))]
       ChoiceKind _ choices -> [("enum", List (map (Text . fst) choices))]
       -- Names of files are told from choices by a period or slash.
-      ChoiceOrFileKind _ choices _ -> [("anyOf", List [Object [("enum", List (map (Text . fst) choices))], Object [("type", Text "string"), ("pattern", Text "[./]"), ("maxLength", Whole 1024)]])]
-      VectorKind -> [("type", Text "array"), ("items", Object [("type", Text "number")]), ("minItems", Whole 3), ("maxItems", Whole 3)]
+      ChoiceOrFileKind _ choices _ ->
+        [ ( "anyOf",
+            List
+              [ Object [("enum", List (map (Text . fst) choices))],
+                Object
+                  [("type", Text "string"), ("pattern", Text "[./]"), ("maxLength", Whole 1024)]
+              ]
+          )
+        ]
+      VectorKind ->
+        [ ("type", Text "array"),
+          ("items", Object [("type", Text "number")]),
+          ("minItems", Whole 3),
+          ("maxItems", Whole 3)
+        ]
     least end = case end of
       Anything -> []
       From v -> [("minimum", Number v)]

@@ -18,7 +18,16 @@ import GHC.Clock (getMonotonicTime)
 import Numeric (readHex)
 import System.Exit (ExitCode (..))
 import System.Posix.Process (exitImmediately)
-import System.Posix.Signals (Handler (Catch, Ignore), Signal, installHandler, sigHUP, sigINT, sigTERM, sigXCPU, sigXFSZ)
+import System.Posix.Signals
+  ( Handler (Catch, Ignore),
+    Signal,
+    installHandler,
+    sigHUP,
+    sigINT,
+    sigTERM,
+    sigXCPU,
+    sigXFSZ,
+  )
 
 -- | The exception that a signal becomes in the main thread.
 newtype Stopped = Stopped Signal
@@ -73,7 +82,15 @@ stoppable atOnce action = do
 -- | Whether the process was started with a signal ignored, where the system tells.
 ignored :: Signal -> IO Bool
 ignored signal = do
-  status <- try (readFile "/proc/self/status" >>= \text -> text <$ evaluate (length text)) :: IO (Either IOException String)
-  pure $ case [bits | Right text <- [status], ["SigIgn:", digits] <- map words (lines text), (bits, "") <- readHex digits] of
-    bits : _ -> testBit (bits :: Integer) (fromIntegral signal - 1)
-    [] -> False
+  status <-
+    try (readFile "/proc/self/status" >>= \text -> text <$ evaluate (length text)) ::
+      IO
+        (Either IOException String)
+  pure $
+    case [ bits
+           | Right text <- [status],
+             ["SigIgn:", digits] <- map words (lines text),
+             (bits, "") <- readHex digits
+         ] of
+      bits : _ -> testBit (bits :: Integer) (fromIntegral signal - 1)
+      [] -> False

@@ -57,18 +57,30 @@ statsJson s =
       ("samples_per_pixel", Whole (sceneSamples scene)),
       ("rays", Whole (round (pixels * raysOfPixel))),
       ("rays_estimated", Truth adaptive),
-      ("rays_per_second", if statsTrace s > 0 then Number (pixels * raysOfPixel / statsTrace s) else Null),
-      ("seconds", Object [("trace", Number (statsTrace s)), ("develop_and_write", Number (statsFinish s))]),
+      ( "rays_per_second",
+        if statsTrace s > 0
+          then Number (pixels * raysOfPixel / statsTrace s)
+          else Null
+      ),
+      ( "seconds",
+        Object [("trace", Number (statsTrace s)), ("develop_and_write", Number (statsFinish s))]
+      ),
       ("peak_memory_bytes", maybe Null (Whole . fromInteger) (statsPeakMemory s)),
       ("not_finite_pixels", Whole (fst (statsFaults s))),
-      ("first_not_finite_pixel", maybe Null (\(x, y) -> List [Whole x, Whole y]) (snd (statsFaults s))),
+      ( "first_not_finite_pixel",
+        maybe Null (\(x, y) -> List [Whole x, Whole y]) (snd (statsFaults s))
+      ),
       ("estimates", maybe Null estimates found),
       ("error_bounds", maybe Null bounds found)
     ]
   where
     found = renderStatistics (statsSky s) scene (statsRows s)
     adaptive = mostSamples scene > sceneSamples scene
-    raysOfPixel = maybe (fromIntegral (sceneSamples scene)) (\c -> let Mean m _ = statisticsRays c in m) found
+    raysOfPixel =
+      maybe
+        (fromIntegral (sceneSamples scene))
+        (\c -> let Mean m _ = statisticsRays c in m)
+        found
     estimates c =
       Object
         [ ("lines_of_sight", Whole (statisticsLines c)),
@@ -76,7 +88,9 @@ statsJson s =
           ("steps", total (pixels * raysOfPixel) (statisticsSteps c)),
           ("gas_samples", total (pixels * raysOfPixel) (statisticsGasSamples c))
         ]
-    total factor (Mean mean off) = Object [("total", Number (mean * factor)), ("standard_error", Number (off * factor))]
+    total factor (Mean mean off) =
+      Object
+        [("total", Number (mean * factor)), ("standard_error", Number (off * factor))]
     bounds c =
       Object
         [ ("against", Text "closed form of the orbit"),
@@ -88,7 +102,10 @@ statsJson s =
     Picture width height = scenePicture scene
     rows = snd (statsRows s)
     pixels = fromIntegral (width * rows) :: Double
-    hash text = concatMap twoDigits (Bytes.unpack (SHA256.hashlazy (Builder.toLazyByteString (Builder.stringUtf8 text))))
+    hash text =
+      concatMap
+        twoDigits
+        (Bytes.unpack (SHA256.hashlazy (Builder.toLazyByteString (Builder.stringUtf8 text))))
     twoDigits b = (if b < 16 then "0" else "") ++ showHex b ""
 
 -- | The statistics of @blackhole join@ as one JSON object, given the program's version,

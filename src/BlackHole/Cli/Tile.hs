@@ -41,7 +41,12 @@ tileHeader origin part scene =
 -- | The problems of a part for a picture.
 tileProblems :: Shard -> Picture -> [Problem]
 tileProblems part (Picture _ height) =
-  [Problem "--tile" (renderShard part) ("a part of this picture, which has only " ++ show height ++ " rows") | shardCount part > height]
+  [ Problem
+      "--tile"
+      (renderShard part)
+      ("a part of this picture, which has only " ++ show height ++ " rows")
+    | shardCount part > height
+  ]
 
 -- | The problems of a tile file's name.
 tileNameProblems :: FilePath -> [Problem]

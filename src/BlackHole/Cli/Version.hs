@@ -9,4 +9,6 @@ import System.Info (compilerName, compilerVersion)
 -- | Name, version, compiler and array back end.
 versionLine :: String
 versionLine =
-  software ++ " (" ++ compilerName ++ "-" ++ showVersion compilerVersion ++ ", " ++ backendName ++ " arrays)"
+  software ++ " (" ++ compilerName ++ "-" ++ showVersion compilerVersion ++ ", "
+    ++ backendName
+    ++ " arrays)"

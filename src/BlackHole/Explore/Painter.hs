@@ -24,8 +24,8 @@ import BlackHole.Render.PixelShape
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
 import BlackHole.Trace.EnvironmentMap (EnvironmentMap)
-import BlackHole.Trace.Pixel
 import BlackHole.Trace.Sky (neededPicture)
+import BlackHole.Trace.Tracer
 import Control.Concurrent (threadDelay)
 import Control.Concurrent.Async
 import Control.Concurrent.STM

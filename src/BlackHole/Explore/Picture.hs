@@ -27,7 +27,7 @@ import BlackHole.Render.Workers
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
 import BlackHole.Trace.EnvironmentMap (EnvironmentMap)
-import BlackHole.Trace.Pixel
+import BlackHole.Trace.Tracer
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.List.NonEmpty (NonEmpty (..))

@@ -29,8 +29,8 @@ import BlackHole.Scene.Scene
 import BlackHole.Scene.Setting
 import BlackHole.Scene.Validate
 import BlackHole.Trace.Explain
-import BlackHole.Trace.Pixel
 import BlackHole.Trace.Sky (neededPicture)
+import BlackHole.Trace.Tracer
 import BlackHole.Vector.XY (XY (..))
 import Control.Concurrent (threadDelay)
 import Control.Concurrent.Async

@@ -4,14 +4,15 @@ module BlackHole.Explore.SightPath
   )
 where
 
+import BlackHole.Matter.KerrReport
 import BlackHole.Scene.Scene
-import BlackHole.Spacetime.Kerr.Path (Azimuth (..))
-import BlackHole.Spacetime.Kerr.PathReport
+import BlackHole.Spacetime.Kerr.Sight (Azimuth (..))
 import BlackHole.Spacetime.Observer
 import BlackHole.Spacetime.Photon
 import BlackHole.Spacetime.Schwarzschild.Trajectory
+import BlackHole.Spacetime.Schwarzschild.TrajectoryPoints
 import BlackHole.Spacetime.Types (Spacetime (Flat))
-import BlackHole.Trace.Pixel
+import BlackHole.Trace.Tracer
 import BlackHole.Vector.XY (XY)
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
 import qualified BlackHole.Vector.XYZ as XYZ
@@ -24,7 +25,7 @@ sightPath traced drawn point = thinned $ case tracedSight traced point of
   Nothing -> []
   Just (RotatingSight hole azimuth ray) -> [turnedTo azimuth place | KerrPathPoint _ place <- kerrReportPath (kerrReport hole drawn ray)]
   Just (SightLine photon observed)
-    | sceneSpacetime (tracedScene traced) == Flat -> straight photon
+    | sceneSpacetime (tracerScene traced) == Flat -> straight photon
     | otherwise -> [photonPosition (pointPhoton p) | p <- trajectoryPoints drawn 0.02 (trajectoryFromPhoton observed photon)]
   where
     straight (Photon place velocity) =

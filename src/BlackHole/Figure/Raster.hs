@@ -26,9 +26,14 @@ rasterise figure = Image width height pixels
     height = max 1 (figureHeight figure)
     everything = Box 0 0 (fromIntegral width) (fromIntegral height)
     pixels = Storable.create $ do
-      canvas <- Canvas width height <$> Unboxed.replicate (3 * width * height) 255 <*> Unboxed.replicate (width * height) 0
+      canvas <-
+        Canvas width height <$> Unboxed.replicate (3 * width * height) 255
+          <*> Unboxed.replicate (width * height) 0
       mapM_ (draw canvas everything) (figureShapes figure)
-      Storable.unsafeThaw =<< Storable.generateM (3 * width * height) (fmap (round . min 255 . max 0) . Unboxed.read (canvasColours canvas))
+      Storable.unsafeThaw
+        =<< Storable.generateM
+          (3 * width * height)
+          (fmap (round . min 255 . max 0) . Unboxed.read (canvasColours canvas))
 
 -- | Encoded colour values, and the coverage of each pixel by the shape being drawn,
 -- which is zero between shapes.
@@ -42,7 +47,12 @@ data Canvas s = Canvas
 draw :: Canvas s -> Box -> Shape -> ST s ()
 draw canvas clip shape = case shape of
   Polyline (Stroke colour width gaps) points ->
-    strokeLines canvas clip colour width (maybe [points] (\(dash, gap) -> dashes dash gap points) gaps)
+    strokeLines
+      canvas
+      clip
+      colour
+      width
+      (maybe [points] (\(dash, gap) -> dashes dash gap points) gaps)
   Ring stroke centre r -> draw canvas clip (Polyline stroke (circleOutline centre r))
   Disc colour (XY x y) r ->
     fill canvas clip colour (Box (x - r) (y - r) (2 * r) (2 * r)) $ \px py ->
@@ -82,7 +92,11 @@ strokeLines canvas clip colour width pieces = do
       [p] -> [(p, p)]
       _ -> zip points (drop 1 points)
     reach (XY x y) (XY x' y') =
-      Box (min x x' - half - 1) (min y y' - half - 1) (abs (x - x') + width + 2) (abs (y - y') + width + 2)
+      Box
+        (min x x' - half - 1)
+        (min y y' - half - 1)
+        (abs (x - x') + width + 2)
+        (abs (y - y') + width + 2)
     -- Lines thinner than a pixel become paler instead of narrower.
     strength = min 1 width
     distanceCover (XY x y) (XY x' y') =
@@ -90,7 +104,10 @@ strokeLines canvas clip colour width pieces = do
           !dy = y' - y
           !len2 = dx * dx + dy * dy
        in \px py ->
-            let along = if len2 > 0 then max 0 (min 1 (((px - x) * dx + (py - y) * dy) / len2)) else 0
+            let along =
+                  if len2 > 0
+                    then max 0 (min 1 (((px - x) * dx + (py - y) * dy) / len2))
+                    else 0
                 ex = px - x - along * dx
                 ey = py - y - along * dy
              in strength * (max 0.5 half + 0.5 - sqrt (ex * ex + ey * ey))
@@ -117,7 +134,10 @@ polygon canvas clip colour points
 -- | Fills the pixels whose depth below the shape's edge, in pixels, is positive.
 fill :: Canvas s -> Box -> Colour -> Box -> (Double -> Double -> Double) -> ST s ()
 fill canvas clip colour box@(Box l t w h) depth = do
-  cover canvas (ranges canvas clip (Box (l - 1) (t - 1) (w + 2) (h + 2))) (\px py -> depth px py + 0.5)
+  cover
+    canvas
+    (ranges canvas clip (Box (l - 1) (t - 1) (w + 2) (h + 2)))
+    (\px py -> depth px py + 0.5)
   blend canvas clip colour [XY l t, XY (l + boxWidth box) (t + boxHeight box)] 1
 
 boundsOf :: [XY] -> Box
@@ -132,7 +152,11 @@ data Range = Range !Int !Int !Int !Int
 -- | The pixels of a box that are inside the clipping box.
 ranges :: Canvas s -> Box -> Box -> Range
 ranges canvas clip box =
-  Range (from l) (min (canvasWidth canvas) (to (l + w)) - 1) (from t) (min (canvasHeight canvas) (to (t + h)) - 1)
+  Range
+    (from l)
+    (min (canvasWidth canvas) (to (l + w)) - 1)
+    (from t)
+    (min (canvasHeight canvas) (to (t + h)) - 1)
   where
     Box l t w h = intersection clip box
     from = max 0 . floor . bounded
@@ -160,7 +184,14 @@ blend canvas clip (Colour r g b) points margin
       when (part > 0) $ do
         Unboxed.write (canvasCover canvas) at 0
         forM_ (zip [0 ..] [r, g, b]) $ \(channel, value) ->
-          Unboxed.modify (canvasColours canvas) (\old -> old + part * (fromIntegral value - old)) (3 * at + channel)
+          Unboxed.modify
+            (canvasColours canvas)
+            (\old -> old + part * (fromIntegral value - old))
+            (3 * at + channel)
   where
     Box l t w h = boundsOf points
-    Range x0 x1 y0 y1 = ranges canvas clip (Box (l - margin) (t - margin) (w + 2 * margin) (h + 2 * margin))
+    Range x0 x1 y0 y1 =
+      ranges
+        canvas
+        clip
+        (Box (l - margin) (t - margin) (w + 2 * margin) (h + 2 * margin))

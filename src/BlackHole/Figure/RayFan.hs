@@ -11,10 +11,11 @@ where
 
 import BlackHole.Figure.Figure
 import BlackHole.Numeric.Angle (Radians (..))
+import BlackHole.Spacetime.Fate
 import BlackHole.Spacetime.Photon (Photon (..))
-import BlackHole.Spacetime.Schwarzschild.Orbit (OrbitFate (..))
 import BlackHole.Spacetime.Schwarzschild.Radii
 import BlackHole.Spacetime.Schwarzschild.Trajectory
+import BlackHole.Spacetime.Schwarzschild.TrajectoryPoints
 import BlackHole.Vector.XY (XY (..))
 import qualified BlackHole.Vector.XY as XY
 import BlackHole.Vector.XYZ (XYZ (..))
@@ -52,7 +53,10 @@ fanImpactParameters (RayFan count extent _)
     spread n
       | n <= 1 = [0 | n == 1]
       | otherwise = [top * (2 * fromIntegral k / fromIntegral (n - 1) - 1) | k <- [0 .. n - 1]]
-    critical = [s * criticalImpactParameter * f | (s, f) <- [(-1, 1.001), (-1, 0.999), (1, 0.999), (1, 1.001)]]
+    critical =
+      [ s * criticalImpactParameter * f
+        | (s, f) <- [(-1, 1.001), (-1, 0.999), (1, 0.999), (1, 1.001)]
+      ]
     merge (a : as) (b : bs)
       | a <= b = a : merge as (b : bs)
       | otherwise = b : merge (a : as) bs
@@ -70,10 +74,11 @@ data RayClass
 
 -- | The class of a ray.
 rayClass :: Trajectory -> RayClass
-rayClass trajectory = case trajectoryFate trajectory of
-  Escapes angle | angle < 2 * pi -> Escaping
-  Captured angle | angle < 2 * pi -> Falling
-  _ -> Winding
+rayClass trajectory
+  | trajectorySweep trajectory >= 2 * pi = Winding
+  | otherwise = case trajectoryFate trajectory of
+    Escaped _ -> Escaping
+    _ -> Falling
 
 -- | The line of sight whose plane contains the rays. It comes from +y, which the figure
 -- turns to its left edge.
@@ -87,7 +92,8 @@ rayFanFigure fan@(RayFan _ extent width) =
   Figure
     { figureWidth = width,
       figureHeight = ceiling (top + plotHeight + 3.4 * font),
-      figureTitle = "Parallel light rays from infinity around a black hole, lengths in Schwarzschild radii",
+      figureTitle =
+        "Parallel light rays from infinity around a black hole, lengths in Schwarzschild radii",
       figureShapes =
         [Clipped plot (concatMap drawnRay drawingOrder ++ asymptotes ++ hole), frame]
           ++ concatMap xTick ticks
@@ -119,14 +125,26 @@ rayFanFigure fan@(RayFan _ extent width) =
     drawnRay (kind, trajectory, mirrored) =
       case map (spot mirrored) (trajectoryPoints (1.6 * extent) 0.03 trajectory) of
         [] -> []
-        points -> Polyline (Stroke (classColour kind) (1.9 * hairline) Nothing) points : arrowOn (classColour kind) points
-    spot mirrored (TrajectoryPoint _ (Photon (XYZ x y _) _)) = at (negate y) (if mirrored then negate x else x)
+        points ->
+          Polyline (Stroke (classColour kind) (1.9 * hairline) Nothing) points :
+          arrowOn
+            (classColour kind)
+            points
+    spot mirrored (TrajectoryPoint _ (Photon (XYZ x y _) _)) =
+      at
+        (negate y)
+        (if mirrored then negate x else x)
 
     -- Where a ray first crosses a line to the left of the hole, pointing along the ray.
     arrowOn colour points =
       take
         1
-        [ Polygon colour [XY (x + 0.45 * font) y, XY (x - 0.3 * font) (y + 0.28 * font), XY (x - 0.3 * font) (y - 0.28 * font)]
+        [ Polygon
+            colour
+            [ XY (x + 0.45 * font) y,
+              XY (x - 0.3 * font) (y + 0.28 * font),
+              XY (x - 0.3 * font) (y - 0.28 * font)
+            ]
           | (p@(XY px _), q@(XY qx _)) <- zip points (drop 1 points),
             px < arrowLine,
             qx >= arrowLine,
@@ -135,17 +153,26 @@ rayFanFigure fan@(RayFan _ extent width) =
     XY arrowLine _ = at (-0.56 * extent) 0
 
     asymptotes =
-      [ Polyline (Stroke ink (1.5 * hairline) (Just (7 * hairline, 5 * hairline))) [at (-extent) b, at extent b]
+      [ Polyline
+          (Stroke ink (1.5 * hairline) (Just (7 * hairline, 5 * hairline)))
+          [at (-extent) b, at extent b]
         | b <- [criticalImpactParameter, negate criticalImpactParameter]
       ]
     hole =
       [ Disc ink (at 0 0) (unit * horizonRadius),
-        Ring (Stroke ink (1.5 * hairline) (Just (4 * hairline, 5 * hairline))) (at 0 0) (unit * photonSphereRadius)
+        Ring
+          (Stroke ink (1.5 * hairline) (Just (4 * hairline, 5 * hairline)))
+          (at 0 0)
+          (unit * photonSphereRadius)
       ]
     marks =
       [ Words . Label (at (-0.97 * extent) (b + rise * font / unit)) AtStart font ink True $
-          [Plain ("b = " ++ sign ++ "b"), Subscript "c", Plain (" = " ++ sign ++ decimals 3 criticalImpactParameter)]
-        | (b, sign, rise) <- [(criticalImpactParameter, "", 0.5), (negate criticalImpactParameter, "\8722", -1.15)]
+          [ Plain ("b = " ++ sign ++ "b"),
+            Subscript "c",
+            Plain (" = " ++ sign ++ decimals 3 criticalImpactParameter)
+          ]
+        | (b, sign, rise) <-
+            [(criticalImpactParameter, "", 0.5), (negate criticalImpactParameter, "\8722", -1.15)]
       ]
 
     frame =
@@ -172,8 +199,24 @@ rayFanFigure fan@(RayFan _ extent width) =
           ]
     plain anchor place s = Words (Label place anchor font axisColour False [Plain s])
     titles =
-      [ Words (Label (let XY px py = at 0 (-h) in XY px (py + 2.9 * font)) AtMiddle font axisColour False [Plain "x / r", Subscript "s"]),
-        Words (Label (XY (0.6 * font) (top - 0.7 * font)) AtStart font axisColour False [Plain "y / r", Subscript "s"])
+      [ Words
+          ( Label
+              (let XY px py = at 0 (-h) in XY px (py + 2.9 * font))
+              AtMiddle
+              font
+              axisColour
+              False
+              [Plain "x / r", Subscript "s"]
+          ),
+        Words
+          ( Label
+              (XY (0.6 * font) (top - 0.7 * font))
+              AtStart
+              font
+              axisColour
+              False
+              [Plain "y / r", Subscript "s"]
+          )
       ]
     tickText v
       | spacing >= 1 = signed (show (round (abs v) :: Int))
@@ -196,7 +239,17 @@ rayFanFigure fan@(RayFan _ extent width) =
     entry n (sample, s) =
       let x = legendStart n
           y = 0.45 * top
-       in sample x y ++ [Words (Label (XY (x + 2.3 * legendFont) (y + 0.35 * legendFont)) AtStart legendFont axisColour False [Plain s])]
+       in sample x y
+            ++ [ Words
+                   ( Label
+                       (XY (x + 2.3 * legendFont) (y + 0.35 * legendFont))
+                       AtStart
+                       legendFont
+                       axisColour
+                       False
+                       [Plain s]
+                   )
+               ]
     sampleLine colour gaps x y =
       [Polyline (Stroke colour (2.2 * hairline) gaps) [XY x y, XY (x + 1.7 * legendFont) y]]
     sampleDisc x y = [Disc ink (XY (x + 1.2 * legendFont) y) (0.5 * legendFont)]
@@ -204,7 +257,9 @@ rayFanFigure fan@(RayFan _ extent width) =
 -- | The distance between the axes' labels: 1, 2 or 5 times a power of ten, chosen to
 -- give at most eight labels on each side.
 tickSpacing :: Double -> Double
-tickSpacing extent = firstOf [s | e <- [-1 .. 6 :: Int], m <- [1, 2, 5], let s = m * 10 ^^ e, extent / s <= 8.01]
+tickSpacing extent =
+  firstOf
+    [s | e <- [-1 .. 6 :: Int], m <- [1, 2, 5], let s = m * 10 ^^ e, extent / s <= 8.01]
   where
     firstOf candidates = case candidates of
       s : _ -> s

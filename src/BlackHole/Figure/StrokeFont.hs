@@ -36,7 +36,10 @@ layOut size = go 0
     characters unit down x (c : rest) =
       let Glyph width strokes = fromMaybe (Glyph 2.4 []) (glyph c)
           (end, others) = characters unit down (x + unit * (width + 1.3)) rest
-       in (end, [[XY (x + unit * px) (down - unit * py) | XY px py <- stroke] | stroke <- strokes] ++ others)
+       in ( end,
+            [[XY (x + unit * px) (down - unit * py) | XY px py <- stroke] | stroke <- strokes]
+              ++ others
+          )
 
 -- | The width without the space to the next glyph, and the strokes, with y upwards, in
 -- tenths of the size.
@@ -53,6 +56,7 @@ arc x y rx ry from to =
       let a = (from + (to - from) * fromIntegral k / 16) * pi / 180
   ]
 
+-- | The strokes of a character; 'Nothing' if the font lacks it.
 glyph :: Char -> Maybe Glyph
 glyph c = uncurry Glyph <$> lookup c glyphs
 
@@ -78,7 +82,9 @@ glyphs =
     ('q', (4.2, [bowl, line [(4.2, 5), (4.2, -2)]])),
     ('r', (2.3, [line [(0, 5), (0, 0)], arc 2.1 2.9 2.1 2.1 180 90])),
     ('s', (3.5, [arc 1.75 3.75 1.6 1.25 35 270 ++ arc 1.75 1.25 1.7 1.25 90 (-150)])),
-    ('t', (2.4, [line [(1, 6.6), (1, 1.2)] ++ arc 2.2 1.2 1.2 1.2 180 270, line [(0, 5), (2.3, 5)]])),
+    ( 't',
+      (2.4, [line [(1, 6.6), (1, 1.2)] ++ arc 2.2 1.2 1.2 1.2 180 270, line [(0, 5), (2.3, 5)]])
+    ),
     ('u', (4, [XY 0 5 : arc 2 2 2 2 180 360, line [(4, 5), (4, 0)]])),
     ('v', (4, [line [(0, 5), (2, 0), (4, 5)]])),
     ('w', (5.8, [line [(0, 5), (1.45, 0), (2.9, 5), (4.35, 0), (5.8, 5)]])),
@@ -91,10 +97,16 @@ glyphs =
     ('3', (4.3, [arc 2.1 5.25 1.8 1.75 155 (-90) ++ arc 2.1 1.75 2.1 1.75 90 (-155)])),
     ('4', (4.3, [line [(3.3, 0), (3.3, 7), (0, 2), (4.3, 2)]])),
     ('5', (4.3, [line [(4, 7), (0.7, 7), (0.4, 3.7)] ++ arc 2.1 2.3 2.15 2.3 130 (-150)])),
-    ('6', (4.3, [arc 2.15 2.2 2.15 2.2 0 360, line [(0, 2.2), (0, 3.4)] ++ arc 2.4 3.6 2.4 3.4 180 55])),
+    ( '6',
+      (4.3, [arc 2.15 2.2 2.15 2.2 0 360, line [(0, 2.2), (0, 3.4)] ++ arc 2.4 3.6 2.4 3.4 180 55])
+    ),
     ('7', (4.3, [line [(0, 7), (4.2, 7), (1.5, 0)]])),
     ('8', (4.3, [arc 2.15 5.3 1.8 1.7 0 360, arc 2.15 1.85 2.15 1.85 0 360])),
-    ('9', (4.3, [arc 2.15 4.8 2.15 2.2 0 360, line [(4.3, 4.8), (4.3, 3.6)] ++ arc 1.9 3.4 2.4 3.4 0 (-125)])),
+    ( '9',
+      ( 4.3,
+        [arc 2.15 4.8 2.15 2.2 0 360, line [(4.3, 4.8), (4.3, 3.6)] ++ arc 1.9 3.4 2.4 3.4 0 (-125)]
+      )
+    ),
     ('.', (0.8, [dot 0.4 0.1])),
     (',', (0.5, [line [(0.4, 0.2), (0, -1.2)]])),
     (':', (0.8, [dot 0.4 0.1, dot 0.4 4.2])),
@@ -102,7 +114,9 @@ glyphs =
     ('+', (4.4, [line [(0, 3.2), (4.4, 3.2)], line [(2.2, 1), (2.2, 5.4)]])),
     ('-', (2.2, [line [(0, 2.6), (2.2, 2.6)]])),
     ('\8722', (4.4, [line [(0, 3.2), (4.4, 3.2)]])),
-    ('\177', (4.4, [line [(0, 4), (4.4, 4)], line [(2.2, 1.9), (2.2, 6.1)], line [(0, 0.6), (4.4, 0.6)]])),
+    ( '\177',
+      (4.4, [line [(0, 4), (4.4, 4)], line [(2.2, 1.9), (2.2, 6.1)], line [(0, 0.6), (4.4, 0.6)]])
+    ),
     ('\8776', (4.4, [wave 4.2, wave 2.2])),
     ('/', (2.8, [line [(0, -0.8), (2.8, 7.3)]])),
     ('(', (1.4, [arc 3 2.7 3 5.2 130 230])),
@@ -114,4 +128,7 @@ glyphs =
       let half = 0.5 * (to - from)
        in arc (from + half) 3 half 2 180 0 ++ [XY to 0]
     dot x y = arc x y 0.3 0.3 0 360
-    wave y = [XY (0.275 * fromIntegral k) (y + 0.6 * sin (2 * pi * fromIntegral k / 16)) | k <- [0 .. 16 :: Int]]
+    wave y =
+      [ XY (0.275 * fromIntegral k) (y + 0.6 * sin (2 * pi * fromIntegral k / 16))
+        | k <- [0 .. 16 :: Int]
+      ]

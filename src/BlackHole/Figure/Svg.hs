@@ -49,11 +49,18 @@ shape name drawn = case drawn of
     [empty "path" (("d", pathData points) : ("fill", "none") : strokeOf stroke)]
   Ring stroke centre r -> [empty "circle" (circle centre r ++ ("fill", "none") : strokeOf stroke)]
   Disc colour centre r -> [empty "circle" (circle centre r ++ [("fill", code colour)])]
-  Polygon colour points -> [empty "polygon" [("points", unwords (map pair points)), ("fill", code colour)]]
+  Polygon colour points ->
+    [empty "polygon" [("points", unwords (map pair points)), ("fill", code colour)]]
   Words label -> text label
   Clipped (Box left top width height) inner ->
     [ element "clipPath" [("id", name)] $
-        empty "rect" [("x", decimal left), ("y", decimal top), ("width", decimal width), ("height", decimal height)],
+        empty
+          "rect"
+          [ ("x", decimal left),
+            ("y", decimal top),
+            ("width", decimal width),
+            ("height", decimal height)
+          ],
       open "g" [("clip-path", "url(#" ++ name ++ ")")]
     ]
       ++ shapes (name ++ "-") inner
@@ -72,7 +79,12 @@ strokeOf (Stroke colour width gaps) =
 -- because older viewers do not support the property that would draw both at once.
 text :: Label -> [String]
 text (Label (XY x y) anchor size colour rim runs) =
-  [ element "text" (place ++ [("fill", "#ffffff"), ("stroke", "#ffffff"), ("stroke-width", decimal (0.3 * size))]) content
+  [ element
+      "text"
+      ( place
+          ++ [("fill", "#ffffff"), ("stroke", "#ffffff"), ("stroke-width", decimal (0.3 * size))]
+      )
+      content
     | rim
   ]
     ++ [element "text" (place ++ [("fill", code colour)]) content]
@@ -89,10 +101,15 @@ text (Label (XY x y) anchor size colour rim runs) =
     go :: Double -> [Run] -> String
     go _ [] = ""
     go lowered (run : rest) = case run of
-      Plain s -> element "tspan" [("dy", decimal (negate lowered)) | lowered /= 0] (escape s) ++ go 0 rest
+      Plain s ->
+        element "tspan" [("dy", decimal (negate lowered)) | lowered /= 0] (escape s)
+          ++ go 0 rest
       Subscript s ->
         let depth = 0.22 * size
-         in element "tspan" [("dy", decimal (depth - lowered)), ("font-size", decimal (0.7 * size))] (escape s)
+         in element
+              "tspan"
+              [("dy", decimal (depth - lowered)), ("font-size", decimal (0.7 * size))]
+              (escape s)
               ++ go depth rest
 
 open :: String -> [(String, String)] -> String

@@ -135,10 +135,17 @@ checkWritable path = locate path >>= either (pure . Left) probe
     -- from it. It stays open until the process ends, because closing it would signal
     -- the reader that nothing follows.
     holdPipe device = do
-      opened <- try (withCString device (\name -> throwErrnoIfMinus1Retry_ "open" (c_open name (o_WRONLY .|. o_NONBLOCK) 0)))
+      opened <-
+        try
+          ( withCString
+              device
+              (\name -> throwErrnoIfMinus1Retry_ "open" (c_open name (o_WRONLY .|. o_NONBLOCK) 0))
+          )
       pure $ case opened of
         Left refusal
-          | ioe_errno refusal == Just enxio -> Left (SystemRefused path "no program reads from this pipe")
+          | ioe_errno refusal == Just enxio ->
+            Left
+              (SystemRefused path "no program reads from this pipe")
           | otherwise -> Left (SystemRefused path (reasonOf refusal))
         Right () -> Right ()
     Errno enxio = eNXIO

@@ -25,7 +25,8 @@ crc32 :: ByteString -> Word32
 crc32 = xor 0xffffffff . Bytes.foldl' step 0xffffffff
   where
     step !crc byte =
-      U.unsafeIndex crcTable (fromIntegral ((crc `xor` fromIntegral byte) .&. 0xff)) `xor` (crc `shiftR` 8)
+      U.unsafeIndex crcTable (fromIntegral ((crc `xor` fromIntegral byte) .&. 0xff))
+        `xor` (crc `shiftR` 8)
 
 crcTable :: U.Vector Word32
 crcTable = U.generate 256 (\n -> iterate divide (fromIntegral n) !! 8)
@@ -61,7 +62,8 @@ adler32 :: ByteString -> Adler32
 adler32 bytes
   | Bytes.length bytes > longestPiece =
     let (piece, rest) = Bytes.splitAt longestPiece bytes in adler32 piece <> adler32 rest
-  | otherwise = unsafeDupablePerformIO . unsafeUseAsCString bytes $ \start -> eights (castPtr start) 0 1 0
+  | otherwise = unsafeDupablePerformIO . unsafeUseAsCString bytes $
+    \start -> eights (castPtr start) 0 1 0
   where
     size = Bytes.length bytes
     eights :: Ptr Word8 -> Int -> Word64 -> Word64 -> IO Adler32
@@ -72,10 +74,16 @@ adler32 bytes
         let even' = eight .&. lanes
             odd' = (eight `shiftR` 8) .&. lanes
             total = ((even' + odd') * 0x0001000100010001) `shiftR` 48
-            weighted = (even' * 0x0008000600040002) `shiftR` 48 + (odd' * 0x0007000500030001) `shiftR` 48
+            weighted =
+              (even' * 0x0008000600040002) `shiftR` 48 + (odd' * 0x0007000500030001)
+                `shiftR` 48
         eights start (i + 8) (a + total) (b + 8 * a + weighted)
     singles !i !a !b
-      | i >= size = Adler32 (fromIntegral size `rem` adlerBase) (a `rem` adlerBase) (b `rem` adlerBase)
+      | i >= size =
+        Adler32
+          (fromIntegral size `rem` adlerBase)
+          (a `rem` adlerBase)
+          (b `rem` adlerBase)
       | otherwise =
         let a' = a + fromIntegral (unsafeIndex bytes i) in singles (i + 1) a' (b + a')
     lanes = 0x00ff00ff00ff00ff

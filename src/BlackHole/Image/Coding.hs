@@ -39,7 +39,14 @@ formatOf path = lookup (map toLower (takeExtension path)) formatExtensions
 -- | The extensions and their formats.
 formatExtensions :: [(String, Format)]
 formatExtensions =
-  [(".png", Png), (".jpg", Jpeg), (".jpeg", Jpeg), (".tif", Tiff), (".tiff", Tiff), (".hdr", Hdr), (".exr", Exr)]
+  [ (".png", Png),
+    (".jpg", Jpeg),
+    (".jpeg", Jpeg),
+    (".tif", Tiff),
+    (".tiff", Tiff),
+    (".hdr", Hdr),
+    (".exr", Exr)
+  ]
 
 -- | What was asked for; 'Nothing' is the format's own.
 data Coding = Coding
@@ -66,7 +73,12 @@ formatBits format = case format of
 -- | The problems of an encoding for a format.
 codingProblem :: Format -> Coding -> [Problem]
 codingProblem format (Coding bits quality) =
-  [ Problem "--bits" (show n) ("a number of bits that this format supports: " ++ intercalate " or " (map show (formatBits format)))
+  [ Problem
+      "--bits"
+      (show n)
+      ( "a number of bits that this format supports: "
+          ++ intercalate " or " (map show (formatBits format))
+      )
     | Just n <- [bits],
       n `notElem` formatBits format
   ]
@@ -74,7 +86,10 @@ codingProblem format (Coding bits quality) =
          | Just n <- [quality],
            n < 1 || n > 100
        ]
-    ++ [Mistake "--quality" (show n ++ " has no effect; it applies only to JPEG files") | format /= Jpeg, Just n <- [quality]]
+    ++ [ Mistake "--quality" (show n ++ " has no effect; it applies only to JPEG files")
+         | format /= Jpeg,
+           Just n <- [quality]
+       ]
 
 -- | The bits per primary.
 codingBitsOf :: Format -> Coding -> Int

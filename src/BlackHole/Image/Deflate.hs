@@ -82,7 +82,12 @@ tokenCounts bytes = unsafeDupablePerformIO $ do
   counts <- MU.replicate tokenCount 0
   let count !token = MU.unsafeRead counts token >>= MU.unsafeWrite counts token . (+ 1)
   unsafeUseAsCString bytes $ \start ->
-    eachToken (castPtr start) (Bytes.length bytes) () (\() byte -> count byte) (\() n -> count (256 + n))
+    eachToken
+      (castPtr start)
+      (Bytes.length bytes)
+      ()
+      (\() byte -> count byte)
+      (\() n -> count (256 + n))
   count 256
   U.unsafeFreeze counts
 
@@ -125,7 +130,11 @@ data Code = Code !(U.Vector Int) !(U.Vector Int)
 blockCode :: U.Vector Int -> Code
 blockCode tokens = Code lengths (U.generate tokenCount packed)
   where
-    symbols = U.accumulate (+) (U.replicate literalCount 0) (U.imap (\token n -> (symbolOf token, n)) tokens)
+    symbols =
+      U.accumulate
+        (+)
+        (U.replicate literalCount 0)
+        (U.imap (\token n -> (symbolOf token, n)) tokens)
     symbolOf token
       | token <= 256 = token
       | otherwise = let (symbol, _, _) = runSymbol (token - 256) in symbol
@@ -190,10 +199,17 @@ emit place bytes (Code lengths tokens) out = do
     byte at w = pokeByteOff out at (fromIntegral w :: Word8)
     align writer@(Writer at waiting count)
       | count <= 0 = pure writer
-      | otherwise = byte at waiting >> align (Writer (at + 1) (waiting `shiftR` 8) (max 0 (count - 8)))
+      | otherwise =
+        byte at waiting
+          >> align (Writer (at + 1) (waiting `shiftR` 8) (max 0 (count - 8)))
     blockHeader =
       putAll (Writer 0 0 0) $
-        [(if place == Last then 1 else 0, 1), (2, 2), (literalCount - 257, 5), (0, 5), (codeLengthCount - 4, 4)]
+        [ (if place == Last then 1 else 0, 1),
+          (2, 2),
+          (literalCount - 257, 5),
+          (0, 5),
+          (codeLengthCount - 4, 4)
+        ]
           ++ [(U.unsafeIndex lengthLengths symbol, 3) | symbol <- codeLengthOrder]
           ++ [(U.unsafeIndex lengthCodes n, U.unsafeIndex lengthLengths n) | n <- sent]
     putAll = foldl (\writer (bits, n) -> writer >>= \w -> put w bits n) . pure

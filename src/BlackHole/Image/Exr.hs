@@ -107,14 +107,24 @@ layersFit layers = and (zipWith (/=) names (drop 1 names)) && all good (layerNam
 channelsOf :: ExrPrecision -> Layers -> [Channel]
 channelsOf precision layers =
   sortOn channelName $
-    [Channel name (precision == Half) | name <- ["R", "G", "B"]] ++ [Channel name False | name <- layerNames layers]
+    [Channel name (precision == Half) | name <- ["R", "G", "B"]]
+      ++ [Channel name False | name <- layerNames layers]
 
 -- | The first row of each block and the row after its last.
 blocksOf :: Int -> [(Int, Int)]
-blocksOf height = [(row, min height (row + linesPerBlock)) | row <- [0, linesPerBlock .. height - 1]]
+blocksOf height =
+  [(row, min height (row + linesPerBlock)) | row <- [0, linesPerBlock .. height - 1]]
 
 -- | Passes on all blocks in order, each preceded by its row and size.
-eachBlock :: Workers -> ExrPrecision -> Int -> Int -> Layers -> ((Int, Int) -> IO (Maybe Film)) -> (ByteString -> IO ()) -> IO Bool
+eachBlock ::
+  Workers ->
+  ExrPrecision ->
+  Int ->
+  Int ->
+  Layers ->
+  ((Int, Int) -> IO (Maybe Film)) ->
+  (ByteString -> IO ()) ->
+  IO Bool
 eachBlock workers precision width height layers rowsOf put = go (blocksOf height)
   where
     go blocks = case splitAt (4 * workersCount workers) blocks of
@@ -124,25 +134,41 @@ eachBlock workers precision width height layers rowsOf put = go (blocksOf height
             count = maximum (map snd group) - first
         band <- rowsOf (first, count)
         case band of
-          Just film | (shapeWidth (pixelArrayShape film), shapeHeight (pixelArrayShape film), shapeChannels (pixelArrayShape film)) == (width, count, 3) -> do
-            done <- mapShared workers (coded first film) group
-            mapM_ put done
-            -- The bands are large and no longer needed, but few, so the collector would
-            -- not notice them in time.
-            performMajorGC
-            go rest
+          Just film
+            | ( shapeWidth (pixelArrayShape film),
+                shapeHeight (pixelArrayShape film),
+                shapeChannels (pixelArrayShape film)
+              )
+                == (width, count, 3) ->
+              do
+                done <- mapShared workers (coded first film) group
+                mapM_ put done
+                -- The bands are large and no longer needed, but few, so the collector would
+                -- not notice them in time.
+                performMajorGC
+                go rest
           _ -> pure False
     coded first film (from, to) = do
       rows <- mapM (rowChannels first film) [from .. to - 1]
       let content = block width rows
-      pure (strict (Builder.int32LE (fromIntegral from) <> Builder.int32LE (fromIntegral (Bytes.length content))) <> content)
+      pure
+        ( strict
+            ( Builder.int32LE (fromIntegral from)
+                <> Builder.int32LE (fromIntegral (Bytes.length content))
+            )
+            <> content
+        )
     -- The channels of a row in the order of their names.
     rowChannels first film row = do
       further <- layerRow layers row
       let light = Vector.unsafeCast (toPixelVector film)
           named =
-            [(name, ChannelRow (precision == Half) (3 * width * (row - first) + k) 3 light) | (name, k) <- zip ["R", "G", "B"] [0 ..]]
-              ++ [(name, ChannelRow False 0 1 (Vector.unsafeCast (fitted values))) | (name, values) <- zip (layerNames layers) (further ++ repeat Vector.empty)]
+            [ (name, ChannelRow (precision == Half) (3 * width * (row - first) + k) 3 light)
+              | (name, k) <- zip ["R", "G", "B"] [0 ..]
+            ]
+              ++ [ (name, ChannelRow False 0 1 (Vector.unsafeCast (fitted values)))
+                   | (name, values) <- zip (layerNames layers) (further ++ repeat Vector.empty)
+                 ]
       pure (map snd (sortOn fst named))
     -- Values that a layer lacks are unknown.
     fitted :: Vector.Vector Float -> Vector.Vector Float
@@ -157,13 +183,19 @@ headerOf :: Metadata -> Int -> Int -> [Channel] -> Builder
 headerOf metadata width height channels =
   Builder.byteString magic
     <> attribute "channels" "chlist" (foldMap described channels <> Builder.word8 0)
-    <> attribute "chromaticities" "chromaticities" (foldMap Builder.floatLE [0.64, 0.33, 0.30, 0.60, 0.15, 0.06, 0.3127, 0.3290])
+    <> attribute
+      "chromaticities"
+      "chromaticities"
+      (foldMap Builder.floatLE [0.64, 0.33, 0.30, 0.60, 0.15, 0.06, 0.3127, 0.3290])
     <> attribute commentsName "string" (Builder.byteString (metadataText metadata))
     <> attribute "compression" "compression" (Builder.word8 3)
     <> attribute "dataWindow" "box2i" window
     <> attribute "displayWindow" "box2i" window
     -- A map of all directions by latitude and longitude.
-    <> (if isWholeSphere metadata (width, height) then attribute "envmap" "envmap" (Builder.word8 0) else mempty)
+    <> ( if isWholeSphere metadata (width, height)
+           then attribute "envmap" "envmap" (Builder.word8 0)
+           else mempty
+       )
     <> attribute "lineOrder" "lineOrder" (Builder.word8 0)
     <> attribute "pixelAspectRatio" "float" (Builder.floatLE 1)
     <> attribute "screenWindowCenter" "v2f" (Builder.floatLE 0 <> Builder.floatLE 0)
@@ -202,7 +234,9 @@ exrMetadata bytes = Bytes.stripPrefix magic bytes >>= go
       | otherwise = do
         size <- littleEndian 4 0 sized
         content <- slice 4 size sized
-        if name == Characters.pack commentsName then parseMetadata content else go (Bytes.drop (4 + size) sized)
+        if name == Characters.pack commentsName
+          then parseMetadata content
+          else go (Bytes.drop (4 + size) sized)
       where
         (name, afterName) = Bytes.break (== 0) rest
         sized = Bytes.drop 1 (Bytes.dropWhile (/= 0) (Bytes.drop 1 afterName))

@@ -33,7 +33,13 @@ fileEncoder workers format metadata development layers size@(width, height) = ca
   Png -> do
     shape <- pixelShape width height 3
     Just $ \rowsOf destination ->
-      encodePng workers metadata shape (bits `quot` 8) (\range -> fmap (codesOf (fst range)) <$> rowsOf range) (putBytes destination)
+      encodePng
+        workers
+        metadata
+        shape
+        (bits `quot` 8)
+        (\range -> fmap (codesOf (fst range)) <$> rowsOf range)
+        (putBytes destination)
   Jpeg
     | width > 65535 || height > 65535 -> Nothing
     | otherwise -> Just $ \rowsOf destination -> do
@@ -42,7 +48,10 @@ fileEncoder workers format metadata development layers size@(width, height) = ca
         Nothing -> pure False
         Just light -> do
           codes <- developFilm workers development light
-          True <$ mapM_ (putBytes destination) (Lazy.toChunks (encodeJpeg (codingQualityOf coding) metadata codes))
+          True
+            <$ mapM_
+              (putBytes destination)
+              (Lazy.toChunks (encodeJpeg (codingQualityOf coding) metadata codes))
   Tiff -> banded tiffBand <$> tiffHeader metadata bits size
   Hdr -> Just (banded (const (hdrRows workers)) (hdrHeader metadata size))
   Exr -> encodeExr workers (if bits == 32 then Single else Half) metadata size layers
@@ -73,4 +82,5 @@ fileEncoder workers format metadata development layers size@(width, height) = ca
 -- | The metadata of a picture file written by this program; 'Nothing' for other files.
 fileMetadata :: ByteString -> Maybe Metadata
 fileMetadata bytes =
-  pngMetadata bytes <|> exrMetadata bytes <|> tiffMetadata bytes <|> jpegMetadata bytes <|> hdrMetadata bytes
+  pngMetadata bytes <|> exrMetadata bytes <|> tiffMetadata bytes <|> jpegMetadata bytes
+    <|> hdrMetadata bytes

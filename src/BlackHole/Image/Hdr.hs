@@ -44,7 +44,11 @@ hdrHeader metadata (width, height) =
 -- components above 1e38 become 1e38. Rows are run-length encoded where the format allows
 -- it (8 to 32767 pixels). The bytes do not depend on the number of workers.
 hdrRows :: Workers -> Film -> IO [ByteString]
-hdrRows workers film = mapShared workers (pure . codedRow) (mapMaybe (pixelRow film) [0 .. shapeHeight shape - 1])
+hdrRows workers film =
+  mapShared
+    workers
+    (pure . codedRow)
+    (mapMaybe (pixelRow film) [0 .. shapeHeight shape - 1])
   where
     shape = pixelArrayShape film
     width = shapeWidth shape
@@ -52,19 +56,24 @@ hdrRows workers film = mapShared workers (pure . codedRow) (mapMaybe (pixelRow f
       | width < 8 || width > 32767 = interleaved
       | otherwise =
         Bytes.concat $
-          Bytes.pack [2, 2, fromIntegral (width `shiftR` 8), fromIntegral (width .&. 255)] : map runLengths planes
+          Bytes.pack
+            [2, 2, fromIntegral (width `shiftR` 8), fromIntegral (width .&. 255)] :
+          map runLengths planes
       where
         planes = [Bytes.take width (Bytes.drop (k * width) separate) | k <- [0 .. 3]]
         separate = rgbe width light
-        interleaved = Bytes.pack [unsafeIndex separate (k * width + x) | x <- [0 .. width - 1], k <- [0 .. 3]]
+        interleaved =
+          Bytes.pack
+            [unsafeIndex separate (k * width + x) | x <- [0 .. width - 1], k <- [0 .. 3]]
 
 -- | The metadata of a Radiance file written by this program.
 hdrMetadata :: ByteString -> Maybe Metadata
 hdrMetadata bytes = case Characters.lines (Bytes.take 1000000 bytes) of
   first : rest
     | first == Characters.pack "#?RADIANCE" ->
-      parseMetadata . Characters.unlines . mapMaybe (Bytes.stripPrefix (Characters.pack commentMark)) $
-        takeWhile (not . Bytes.null) rest
+      parseMetadata . Characters.unlines
+        . mapMaybe (Bytes.stripPrefix (Characters.pack commentMark))
+        $ takeWhile (not . Bytes.null) rest
   _ -> Nothing
 
 -- | Marks the metadata's lines, because the header ends at the first empty line.
@@ -80,7 +89,10 @@ rgbe width light = unsafeCreate (4 * width) (go 0)
     go !x !out
       | x >= width = pure ()
       | otherwise = do
-        let amount k = bounded (Vector.unsafeIndex light (3 * x + k)) (Vector.unsafeIndex words32 (3 * x + k))
+        let amount k =
+              bounded
+                (Vector.unsafeIndex light (3 * x + k))
+                (Vector.unsafeIndex words32 (3 * x + k))
             r = amount 0
             g = amount 1
             b = amount 2
@@ -114,10 +126,15 @@ runLengths = Bytes.concat . go
     go bytes = case Bytes.uncons bytes of
       Nothing -> []
       Just (byte, _)
-        | runLength >= 4 -> Bytes.pack [128 + fromIntegral runLength, byte] : go (Bytes.drop runLength bytes)
+        | runLength >= 4 ->
+          Bytes.pack [128 + fromIntegral runLength, byte] :
+          go
+            (Bytes.drop runLength bytes)
         | otherwise ->
           let literal = Bytes.take (literalLength bytes) bytes
-           in Bytes.cons (fromIntegral (Bytes.length literal)) literal : go (Bytes.drop (Bytes.length literal) bytes)
+           in Bytes.cons (fromIntegral (Bytes.length literal)) literal :
+              go
+                (Bytes.drop (Bytes.length literal) bytes)
         where
           runLength = Bytes.length (Bytes.takeWhile (== byte) (Bytes.take 127 bytes))
     -- Up to the start of the next run of four.
@@ -126,5 +143,7 @@ runLengths = Bytes.concat . go
         size = min 128 (Bytes.length bytes)
         segment n
           | n >= size = size
-          | n + 3 < Bytes.length bytes && all (\k -> unsafeIndex bytes (n + k) == unsafeIndex bytes n) [1 .. 3] = n
+          | n + 3 < Bytes.length bytes
+              && all (\k -> unsafeIndex bytes (n + k) == unsafeIndex bytes n) [1 .. 3] =
+            n
           | otherwise = segment (n + 1)

@@ -33,7 +33,10 @@ codeLengths limit counts
 freeLengths :: U.Vector Int -> U.Vector Int
 freeLengths counts = U.replicate (U.length counts) 0 U.// depths
   where
-    leaves = sortOn weight [Tree n (Leaf symbol) | (symbol, n) <- U.toList (U.indexed counts), n > 0]
+    leaves =
+      sortOn
+        weight
+        [Tree n (Leaf symbol) | (symbol, n) <- U.toList (U.indexed counts), n > 0]
     depths = case leaves of
       [Tree _ (Leaf symbol)] -> [(symbol, 1)]
       _ -> maybe [] leafDepths (merge leaves (Queue [] []))

@@ -38,10 +38,14 @@ encodeJpeg quality metadata codes = Lazy.concat [before, Lazy.fromStrict (sphere
       (Just marker, Just size) | marker == Bytes.pack [0xff, 0xe0] -> 4 + size
       _ -> 2
     comment = segment 0xfffe (Bytes.take 65533 (metadataText metadata))
-    sphere = foldMap (segment 0xffe1 . (Characters.pack "http://ns.adobe.com/xap/1.0/\0" <>)) (spherePacket metadata (shapeWidth shape, shapeHeight shape))
+    sphere =
+      foldMap
+        (segment 0xffe1 . (Characters.pack "http://ns.adobe.com/xap/1.0/\0" <>))
+        (spherePacket metadata (shapeWidth shape, shapeHeight shape))
     segment marker content =
       strict $
-        Builder.word16BE marker <> Builder.word16BE (fromIntegral (Bytes.length content + 2)) <> Builder.byteString content
+        Builder.word16BE marker <> Builder.word16BE (fromIntegral (Bytes.length content + 2))
+          <> Builder.byteString content
 
 -- | The metadata of a JPEG file written by this program.
 jpegMetadata :: ByteString -> Maybe Metadata

@@ -15,7 +15,9 @@ import Data.Word (Word8)
 -- valid Huffman codes, and scans that refer to existing components and tables, up to
 -- its end or the end of its data. Linear in the file's size.
 soundJpeg :: ByteString -> Bool
-soundJpeg bytes = Bytes.take 2 bytes == Bytes.pack [0xff, 0xd8] && segments [] Nothing (Bytes.drop 2 bytes)
+soundJpeg bytes =
+  Bytes.take 2 bytes == Bytes.pack [0xff, 0xd8]
+    && segments [] Nothing (Bytes.drop 2 bytes)
   where
     -- The Huffman tables so far, and the numbers of the frame's components.
     segments tables frame rest = case Bytes.unpack (Bytes.take 4 rest) of
@@ -23,9 +25,16 @@ soundJpeg bytes = Bytes.take 2 bytes == Bytes.pack [0xff, 0xd8] && segments [] N
       [0xff, marker, high, low]
         | marker == 0xd9 -> isJust frame
         | size < 2 || Bytes.length rest < size + 2 -> False
-        | marker == 0xc4 -> maybe False (\new -> segments (new ++ tables) frame after) (huffmanTables content)
-        | marker == 0xda -> maybe False (scanHeader tables content) frame && segments tables frame (Bytes.drop (scanLength after) after)
-        | marker >= 0xc0 && marker <= 0xcf && marker `notElem` [0xc8, 0xcc] -> case (frame, frameHeader content) of
+        | marker == 0xc4 ->
+          maybe
+            False
+            (\new -> segments (new ++ tables) frame after)
+            (huffmanTables content)
+        | marker == 0xda ->
+          maybe False (scanHeader tables content) frame
+            && segments tables frame (Bytes.drop (scanLength after) after)
+        | marker >= 0xc0 && marker <= 0xcf && marker
+            `notElem` [0xc8, 0xcc] -> case (frame, frameHeader content) of
           (Nothing, Just components) -> segments tables (Just components) after
           _ -> False
         | otherwise -> segments tables frame after
@@ -44,8 +53,15 @@ scanHeader tables content frame = case Bytes.unpack content of
     | (components, [from, to, _]) <- splitAt (2 * fromIntegral count) rest ->
       let numbers = evens components
           chosen = evens (drop 1 components)
-       in count >= 1 && count <= 4 && nub numbers == numbers && all (`elem` frame) numbers && from <= to && to <= 63
-            && all (\both -> (from > 0 || both `shiftR` 4 `elem` tables) && (to == 0 || (0x10 .|. (both .&. 15)) `elem` tables)) chosen
+       in count >= 1 && count <= 4 && nub numbers == numbers && all (`elem` frame) numbers
+            && from <= to
+            && to <= 63
+            && all
+              ( \both ->
+                  (from > 0 || both `shiftR` 4 `elem` tables)
+                    && (to == 0 || (0x10 .|. (both .&. 15)) `elem` tables)
+              )
+              chosen
   _ -> False
   where
     evens (a : rest) = a : evens (drop 1 rest)
@@ -71,7 +87,9 @@ frameHeader content = case Bytes.unpack content of
   _ -> Nothing
   where
     possible (number : factors : table : others)
-      | all (\n -> n >= 1 && n <= 4) [factors `shiftR` 4, factors .&. 15] && table <= 3 = (number :) <$> possible others
+      | all (\n -> n >= 1 && n <= 4) [factors `shiftR` 4, factors .&. 15]
+          && table <= 3 =
+        (number :) <$> possible others
     possible [] = Just []
     possible _ = Nothing
 
@@ -81,7 +99,10 @@ huffmanTables :: ByteString -> Maybe [Word8]
 huffmanTables content = case Bytes.uncons content of
   Nothing -> Just []
   Just (kind, rest)
-    | kind `shiftR` 4 <= 1 && kind .&. 15 <= 3 && Bytes.length rest >= 16 + total && total >= 1 && total <= 256 && room <= 65536 ->
+    | kind `shiftR` 4 <= 1 && kind .&. 15 <= 3 && Bytes.length rest >= 16 + total
+        && total >= 1
+        && total <= 256
+        && room <= 65536 ->
       (kind :) <$> huffmanTables (Bytes.drop (16 + total) rest)
     | otherwise -> Nothing
     where

@@ -52,9 +52,10 @@ parseMetadata text = do
         metadataScene = Characters.drop 1 rest
       }
   where
-    setting name settings = case [n | Just digits <- map (stripPrefix name) settings, Just n <- [readMaybe digits]] of
-      n : _ -> Just n
-      [] -> Nothing
+    setting name settings =
+      case [n | Just digits <- map (stripPrefix name) settings, Just n <- [readMaybe digits]] of
+        n : _ -> Just n
+        [] -> Nothing
 
 mark :: String
 mark = "# made by "

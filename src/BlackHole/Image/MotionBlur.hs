@@ -26,14 +26,25 @@ maximumBlurredScenes = 1024
 joinBlurredScenes :: NonEmpty ByteString -> ByteString
 joinBlurredScenes (first :| []) = first
 joinBlurredScenes (first :| others) =
-  first <> Characters.unlines (countMark <> decimal (1 + length others) : explanation ++ concatMap differing others)
+  first
+    <> Characters.unlines
+      (countMark <> decimal (1 + length others) : explanation ++ concatMap differing others)
   where
-    explanation = map Characters.pack ["# This picture is the mean of that many scenes. The others differ from the one", "# above in these lines, given by number:"]
+    explanation =
+      map
+        Characters.pack
+        [ "# This picture is the mean of that many scenes. The others differ from the one",
+          "# above in these lines, given by number:"
+        ]
     differing text =
       let own = Characters.lines text
        in sceneMark <> decimal (length own) :
             [ Characters.concat [lineMark, decimal n, Characters.pack ":", line]
-              | (n, line, before) <- zip3 [1 :: Int ..] own (map Just (Characters.lines first) ++ repeat Nothing),
+              | (n, line, before) <-
+                  zip3
+                    [1 :: Int ..]
+                    own
+                    (map Just (Characters.lines first) ++ repeat Nothing),
                 before /= Just line
             ]
     decimal = Characters.pack . show
@@ -50,8 +61,15 @@ splitBlurredScenes :: ByteString -> Either String (NonEmpty ByteString)
 splitBlurredScenes text = case break (countMark `Bytes.isPrefixOf`) (Characters.lines text) of
   (_, []) -> Right (text :| [])
   (first, header : rest)
-    | count < 2 || count > maximumBlurredScenes -> Left ("motion blur is the mean of 2 to " ++ show maximumBlurredScenes ++ " scenes, not of " ++ show count)
-    | count * Bytes.length original + Bytes.length text > 16777216 -> Left "the scenes of its motion blur are too long"
+    | count < 2
+        || count > maximumBlurredScenes ->
+      Left
+        ( "motion blur is the mean of 2 to " ++ show maximumBlurredScenes ++ " scenes, not of "
+            ++ show count
+        )
+    | count * Bytes.length original + Bytes.length text > 16777216 ->
+      Left
+        "the scenes of its motion blur are too long"
     | otherwise -> case traverse (changed first) (scenesIn rest) of
       Just others | length others + 1 == count -> Right (original :| others)
       _ -> Left "the list of the scenes of its motion blur is damaged"
@@ -72,4 +90,8 @@ splitBlurredScenes text = case break (countMark `Bytes.isPrefixOf`) (Characters.
     -- Every line is either listed or taken from the first scene.
     changed first (count, replaced) = do
       guard (count <= length first + Map.size replaced)
-      Characters.unlines <$> sequence [Map.lookup n replaced <|> line | (n, line) <- zip [1 .. count] (map Just first ++ repeat Nothing)]
+      Characters.unlines
+        <$> sequence
+          [ Map.lookup n replaced <|> line
+            | (n, line) <- zip [1 .. count] (map Just first ++ repeat Nothing)
+          ]

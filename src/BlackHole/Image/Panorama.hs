@@ -21,7 +21,15 @@ import qualified Codec.Compression.Zlib as Zlib
 import Codec.Picture
 import Codec.Picture.Types (convertImage, promoteImage)
 import Control.Applicative ((<|>))
-import Control.Exception (IOException, SomeAsyncException (..), SomeException, evaluate, fromException, throwIO, try)
+import Control.Exception
+  ( IOException,
+    SomeAsyncException (..),
+    SomeException,
+    evaluate,
+    fromException,
+    throwIO,
+    try,
+  )
 import Data.Bits (shiftL, (.|.))
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Char8
@@ -58,7 +66,9 @@ readPanoramaBytes file = do
 -- message without the file's name. Takes about 0.2 µs per pixel.
 decodePanorama :: Bytes.ByteString -> IO (Either String EnvironmentMap)
 decodePanorama bytes = do
-  decoded <- try (evaluate (maybe (decodedByKind bytes) Left (panoramaFault bytes <|> swollen bytes)))
+  decoded <-
+    try
+      (evaluate (maybe (decodedByKind bytes) Left (panoramaFault bytes <|> swollen bytes)))
   case decoded of
     Right outcome -> pure outcome
     Left fault
@@ -69,16 +79,34 @@ decodePanorama bytes = do
 -- damaged file for a Targa of any size, because Targa has no signature.
 decodedByKind :: Bytes.ByteString -> Either String EnvironmentMap
 decodedByKind bytes
-  | Bytes.isPrefixOf (Bytes.pack [0x89]) bytes = case Bytes.unpack (Bytes.take 1 (Bytes.drop 28 bytes)) of
+  | Bytes.isPrefixOf (Bytes.pack [0x89]) bytes = case Bytes.unpack
+    (Bytes.take 1 (Bytes.drop 28 bytes)) of
     -- JuicyPixels can access memory out of bounds in a damaged interlaced PNG.
     [0] -> decodedBy decodePng
     _ -> Left "is interlaced, or damaged; save it without interlacing"
-  | Bytes.isPrefixOf (Bytes.pack [0xff]) bytes = if soundJpeg bytes then decodedBy decodeJpeg else Left "is damaged"
+  | Bytes.isPrefixOf (Bytes.pack [0xff]) bytes =
+    if soundJpeg bytes
+      then decodedBy decodeJpeg
+      else Left "is damaged"
   | Bytes.isPrefixOf (Char8.pack "#?") bytes = decodedBy decodeHDR
-  | otherwise = maybe (Left "is damaged, or not a plain TIFF: 8 or 16 bits or floating-point numbers, not compressed") plain (readPlainTiff bytes)
+  | otherwise =
+    maybe
+      ( Left
+          "is damaged, or not a plain TIFF: 8 or 16 bits or floating-point numbers, not compressed"
+      )
+      plain
+      (readPlainTiff bytes)
   where
     decodedBy decoder = either (const (Left "is damaged")) pictured (decoder bytes)
-    plain tiff = maybe (Left "is empty") Right (environmentMapFromPixels (tiffWidth tiff) (tiffHeight tiff) (\i j -> light (tiffFloating tiff) (tiffSamples tiff i j)))
+    plain tiff =
+      maybe
+        (Left "is empty")
+        Right
+        ( environmentMapFromPixels
+            (tiffWidth tiff)
+            (tiffHeight tiff)
+            (\i j -> light (tiffFloating tiff) (tiffSamples tiff i j))
+        )
     light floating (r, g, b)
       | floating = Radiance (positive r) (positive g) (positive b)
       | otherwise = Radiance (linear r) (linear g) (linear b)
@@ -106,7 +134,9 @@ swollen bytes = do
   (width, height) <- panoramaSize bytes
   -- Eight bytes per pixel, and one byte for each row of each pass.
   let most = fromIntegral (8 * width * height + 16 * (width + height))
-  if Lazy.null (Lazy.drop most (Zlib.decompress packed)) then Nothing else Just "is damaged: it holds more than its pixels"
+  if Lazy.null (Lazy.drop most (Zlib.decompress packed))
+    then Nothing
+    else Just "is damaged: it holds more than its pixels"
 
 -- | The compressed data of a PNG; 'Nothing' for other files.
 pngData :: Bytes.ByteString -> Maybe [Bytes.ByteString]
@@ -117,10 +147,17 @@ pngData bytes
     chunks rest
       | Bytes.length rest < 12 = []
       | otherwise =
-        let size = Bytes.foldl' (\n b -> n `shiftL` 8 .|. fromIntegral b) 0 (Bytes.take 4 rest) :: Int
+        let size =
+              Bytes.foldl'
+                (\n b -> n `shiftL` 8 .|. fromIntegral b)
+                0
+                (Bytes.take 4 rest) ::
+                Int
             contents = Bytes.take size (Bytes.drop 8 rest)
             others = chunks (Bytes.drop (size + 12) rest)
-         in if Bytes.take 4 (Bytes.drop 4 rest) == Char8.pack "IDAT" then contents : others else others
+         in if Bytes.take 4 (Bytes.drop 4 rest) == Char8.pack "IDAT"
+              then contents : others
+              else others
 
 pngSignature :: Bytes.ByteString
 pngSignature = Bytes.pack [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]
@@ -151,7 +188,10 @@ panoramaSize bytes
         then (,) <$> big 2 (at + 7) <*> big 2 (at + 5)
         else if marker < 0xff00 || size < 2 then Nothing else jpeg (at + 2 + size)
     radiance = do
-      line <- find (Char8.pack "-Y " `Bytes.isPrefixOf`) (take 64 (Char8.lines (Bytes.take 65536 bytes)))
+      line <-
+        find
+          (Char8.pack "-Y " `Bytes.isPrefixOf`)
+          (take 64 (Char8.lines (Bytes.take 65536 bytes)))
       case Char8.words line of
         [_, h, _, w] -> do
           (height, rest) <- Char8.readInt h
@@ -184,7 +224,10 @@ pictured decoded = case decoded of
   ImageRGBA16 image -> made16 (pixelMap (\(PixelRGBA16 r g b _) -> PixelRGB16 r g b) image)
   ImageCMYK16 image -> made16 (convertImage image)
   ImageYF image -> made image (\y -> let v = positive y in Radiance v v v)
-  ImageRGBF image -> made image (\(PixelRGBF r g b) -> Radiance (positive r) (positive g) (positive b))
+  ImageRGBF image ->
+    made
+      image
+      (\(PixelRGBF r g b) -> Radiance (positive r) (positive g) (positive b))
   ImageY32 _ -> Left "has 32-bit whole numbers, which are of no known meaning"
   where
     made8 image = made image (\(PixelRGB8 r g b) -> Radiance (code8 r) (code8 g) (code8 b))
@@ -200,7 +243,11 @@ positive v
   | otherwise = 0
 
 made :: Pixel pixel => Image pixel -> (pixel -> Radiance) -> Either String EnvironmentMap
-made image light = maybe (Left "is empty") Right (environmentMapFromPixels width height (\i j -> light (pixelAt image i j)))
+made image light =
+  maybe
+    (Left "is empty")
+    Right
+    (environmentMapFromPixels width height (\i j -> light (pixelAt image i j)))
   where
     width = imageWidth image
     height = imageHeight image

@@ -67,7 +67,10 @@ partPrefix = do
 machine :: IO (String, String)
 machine = do
   host <- nodeName <$> getSystemID
-  boot <- quietly "" (concat . lines . Characters.unpack <$> Bytes.readFile "/proc/sys/kernel/random/boot_id")
+  boot <-
+    quietly
+      ""
+      (concat . lines . Characters.unpack <$> Bytes.readFile "/proc/sys/kernel/random/boot_id")
   space <- quietly "" (readSymbolicLink "/proc/self/ns/pid")
   pure (host, boot ++ space)
 

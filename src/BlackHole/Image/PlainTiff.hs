@@ -70,9 +70,14 @@ readPlainTiff bytes
           rowBytes = width * samples * size
           rowsIn i = min rowsPerStrip (height - i * rowsPerStrip)
       guard (U.length offsets == (height + rowsPerStrip - 1) `quot` rowsPerStrip)
-      guard (U.and (U.imap (\i offset -> offset <= Bytes.length bytes - rowsIn i * rowBytes) offsets))
+      guard
+        (U.and (U.imap (\i offset -> offset <= Bytes.length bytes - rowsIn i * rowBytes) offsets))
       let numberAt :: Int -> Word32
-          numberAt at = foldr (\k n -> n `shiftL` 8 .|. fromIntegral (unsafeIndex bytes (at + k))) 0 (placesOf size order)
+          numberAt at =
+            foldr
+              (\k n -> n `shiftL` 8 .|. fromIntegral (unsafeIndex bytes (at + k)))
+              0
+              (placesOf size order)
           sample at = case depth of
             8 -> fromIntegral (unsafeIndex bytes at) / 255
             16 -> fromIntegral (numberAt at) / 65535
@@ -95,7 +100,13 @@ readPlainTiff bytes
         word :: Int -> Int -> Maybe Int
         word size at
           | at < 0 || at > Bytes.length bytes - size = Nothing
-          | otherwise = Just (foldr (\k n -> n `shiftL` 8 .|. fromIntegral (unsafeIndex bytes (at + k))) 0 (placesOf size order))
+          | otherwise =
+            Just
+              ( foldr
+                  (\k n -> n `shiftL` 8 .|. fromIntegral (unsafeIndex bytes (at + k)))
+                  0
+                  (placesOf size order)
+              )
         -- Up to four bytes are stored in the entry itself, more elsewhere.
         valuesAt at = do
           kind <- word 2 (at + 2)

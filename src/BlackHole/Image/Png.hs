@@ -52,7 +52,14 @@ data Codes
 --
 -- Equal pixels give equal bytes for any number of workers. Takes about 15 ns per pixel,
 -- and three times that in 16 bits.
-encodePng :: Workers -> Metadata -> PixelShape -> Int -> ((Int, Int) -> IO (Maybe ((Int, Int) -> Maybe Codes))) -> (ByteString -> IO ()) -> IO Bool
+encodePng ::
+  Workers ->
+  Metadata ->
+  PixelShape ->
+  Int ->
+  ((Int, Int) -> IO (Maybe ((Int, Int) -> Maybe Codes))) ->
+  (ByteString -> IO ()) ->
+  IO Bool
 encodePng workers metadata shape bytes rowsOf put =
   go mempty [pngStart metadata shape bytes] (inGroups (stripsOf shape bytes))
   where
@@ -63,14 +70,26 @@ encodePng workers metadata shape bytes rowsOf put =
       -- While one worker writes finished strips, the others continue.
       done <- case band of
         Nothing -> pure Nothing
-        Just codesOf -> sequence . drop 1 <$> mapShared workers id ((Nothing <$ mapM_ put ready) : map (evaluate . stripOf codesOf) strips)
+        Just codesOf ->
+          sequence . drop 1
+            <$> mapShared
+              workers
+              id
+              ((Nothing <$ mapM_ put ready) : map (evaluate . stripOf codesOf) strips)
       case done of
         Nothing -> pure False
-        Just made -> go (total <> mconcat [part | Strip part _ <- made]) [piece | Strip _ piece <- made] rest
+        Just made ->
+          go
+            (total <> mconcat [part | Strip part _ <- made])
+            [piece | Strip _ piece <- made]
+            rest
     stripOf codesOf (Rows from to place) = do
       codes <- codesOf (from, to - from)
       let part = codesShape codes
-      if (shapeWidth part, shapeHeight part, shapeChannels part) == (shapeWidth shape, to - from, shapeChannels shape) && codeBytes codes == bytes
+      if (shapeWidth part, shapeHeight part, shapeChannels part)
+        == (shapeWidth shape, to - from, shapeChannels shape)
+        && codeBytes codes
+        == bytes
         then Just $! compressedStrip codes (Rows 0 (to - from) place)
         else Nothing
     -- At the end of a group the workers wait for the last one. A strip with 8 bits
@@ -88,10 +107,16 @@ pngStart metadata shape bytes =
       <> chunk "IHDR" (strict header)
       -- The signal is sRGB, with perceptual rendering intent.
       <> chunk "sRGB" (Bytes.singleton 0)
-      <> chunk "tEXt" (Bytes.concat [Characters.pack "Software\0", Characters.pack (metadataSoftware metadata)])
+      <> chunk
+        "tEXt"
+        (Bytes.concat [Characters.pack "Software\0", Characters.pack (metadataSoftware metadata)])
       -- Uncompressed, without a language.
-      <> chunk "iTXt" (Bytes.concat [sceneKeyword, Characters.pack "\0\0\0\0\0", metadataText metadata])
-      <> foldMap (chunk "iTXt" . (Characters.pack "XML:com.adobe.xmp\0\0\0\0\0" <>)) (spherePacket metadata (shapeWidth shape, shapeHeight shape))
+      <> chunk
+        "iTXt"
+        (Bytes.concat [sceneKeyword, Characters.pack "\0\0\0\0\0", metadataText metadata])
+      <> foldMap
+        (chunk "iTXt" . (Characters.pack "XML:com.adobe.xmp\0\0\0\0\0" <>))
+        (spherePacket metadata (shapeWidth shape, shapeHeight shape))
       <> chunk "IDAT" zlibHeader
   where
     header =
@@ -158,7 +183,10 @@ stripsOf shape bytes = go 0
 data Strip = Strip !Adler32 !ByteString
 
 compressedStrip :: Codes -> Rows -> Strip
-compressedStrip codes (Rows from to place) = Strip (adler32 filtered) (strict (chunk "IDAT" (deflatePiece place filtered)))
+compressedStrip codes (Rows from to place) =
+  Strip
+    (adler32 filtered)
+    (strict (chunk "IDAT" (deflatePiece place filtered)))
   where
     rowLength = shapeRowLength (codesShape codes)
     rowBytes = rowLength * codeBytes codes
@@ -170,7 +198,9 @@ compressedStrip codes (Rows from to place) = Strip (adler32 filtered) (strict (c
           filterRow 6 rowBytes swapped filteredRow
     eachRow :: Storable e => PixelArray e -> Ptr Word8 -> (Ptr Word8 -> Ptr Word8 -> IO ()) -> IO ()
     eachRow pixels out act = Vector.unsafeWith (toPixelVector pixels) $ \start ->
-      mapM_ (\i -> act (start `plusPtr` (rowBytes * (from + i))) (out `plusPtr` ((rowBytes + 1) * i))) [0 .. to - from - 1]
+      mapM_
+        (\i -> act (start `plusPtr` (rowBytes * (from + i))) (out `plusPtr` ((rowBytes + 1) * i)))
+        [0 .. to - from - 1]
 
 -- | Converts 16-bit words to the byte order of PNG, highest byte first.
 highFirst :: Int -> Ptr Word8 -> Ptr Word8 -> IO ()
@@ -209,7 +239,9 @@ filterRow !pixel !size !row !out = do
 
 -- | Eight differences of bytes, none of which borrows from its neighbour.
 byteDifferences :: Word64 -> Word64 -> Word64
-byteDifferences a b = ((a .|. high) - (b .&. complement high)) `xor` ((a `xor` complement b) .&. high)
+byteDifferences a b =
+  ((a .|. high) - (b .&. complement high))
+    `xor` ((a `xor` complement b) .&. high)
   where
     high = 0x8080808080808080
 {-# INLINE byteDifferences #-}

@@ -13,5 +13,7 @@ readSceneFile :: FilePath -> IO (Either String Bytes.ByteString)
 readSceneFile file = do
   outcome <- try (withBinaryFile file ReadMode (`Bytes.hGet` (maximumYamlBytes + 1)))
   pure $ case outcome of
-    Left failure -> Left (file ++ ": cannot be read: " ++ ioeGetErrorString (failure :: IOException))
+    Left failure ->
+      Left
+        (file ++ ": cannot be read: " ++ ioeGetErrorString (failure :: IOException))
     Right bytes -> Right bytes

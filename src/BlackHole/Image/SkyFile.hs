@@ -27,7 +27,15 @@ loadSky scene = case neededPicture scene of
   Nothing -> pure (Right Nothing)
   Just file -> do
     contents <- readPanoramaBytes file
-    outcome <- either (pure . Left) (\bytes -> fmap (fmap (`SkyFile` digestBytes (Lazy.fromStrict bytes))) (decodePanorama bytes)) contents
+    outcome <-
+      either
+        (pure . Left)
+        ( \bytes ->
+            fmap
+              (fmap (`SkyFile` digestBytes (Lazy.fromStrict bytes)))
+              (decodePanorama bytes)
+        )
+        contents
     pure (either (Left . faultLine file) (Right . Just) outcome)
 
 -- | What is wrong with the file as far as that is known without decoding it.

@@ -42,7 +42,11 @@ data TiffPixels
 tiffRows :: TiffPixels -> [ByteString]
 tiffRows pixels = case pixels of
   TiffCodes codes -> littleEndianRows 2 (pixelArrayShape codes) (toPixelVector codes)
-  TiffLight film -> littleEndianRows 4 (pixelArrayShape film) (Vector.unsafeCast (toPixelVector film) :: Vector.Vector Word32)
+  TiffLight film ->
+    littleEndianRows
+      4
+      (pixelArrayShape film)
+      (Vector.unsafeCast (toPixelVector film) :: Vector.Vector Word32)
 
 -- | @tiffHeader metadata bits (width, height)@ is everything before the rows of a
 -- little-endian RGB file of 16-bit codes or 32-bit floating point, with the metadata as
@@ -55,9 +59,13 @@ tiffHeader metadata bits (width, height)
     Just . strict $
       Builder.string7 "II" <> Builder.word16LE 42 <> Builder.word32LE 8
         <> Builder.word16LE (fromIntegral (length entries))
-        <> mconcat [Builder.word16LE tag <> Builder.word16LE kind <> Builder.word32LE count <> value | (tag, kind, count, value) <- placed]
+        <> mconcat
+          [ Builder.word16LE tag <> Builder.word16LE kind <> Builder.word32LE count <> value
+            | (tag, kind, count, value) <- placed
+          ]
         <> Builder.word32LE 0
-        <> Builder.byteString (Bytes.concat [content | (_, _, _, content) <- entries, Bytes.length content > 4])
+        <> Builder.byteString
+          (Bytes.concat [content | (_, _, _, content) <- entries, Bytes.length content > 4])
   where
     sampleFormat = if bits == 32 then 3 else 1
     dataSize = width * height * 3 * (bits `quot` 8)
@@ -85,9 +93,20 @@ tiffHeader metadata bits (width, height)
     sphere = spherePacket metadata (width, height)
     shorts :: Word16 -> [Int] -> DirectoryEntry
     long tag v = (tag, 4, 1, strict (Builder.word32LE (fromIntegral v)))
-    shorts tag values = (tag, 3, fromIntegral (length values), strict (foldMap (Builder.word16LE . fromIntegral) values))
+    shorts tag values =
+      ( tag,
+        3,
+        fromIntegral (length values),
+        strict (foldMap (Builder.word16LE . fromIntegral) values)
+      )
     ratio tag v = (tag, 5, 1, strict (Builder.word32LE v <> Builder.word32LE 1))
-    ascii tag text = let ended = Bytes.snoc text 0 in (tag, 2, fromIntegral (Bytes.length ended), padded ended)
+    ascii tag text =
+      let ended = Bytes.snoc text 0
+       in ( tag,
+            2,
+            fromIntegral (Bytes.length ended),
+            padded ended
+          )
     padded bytes = if odd (Bytes.length bytes) then Bytes.snoc bytes 0 else bytes
     heapStart = 8 + 2 + 12 * length entries + 4
     dataStart = heapStart + longTexts
@@ -95,16 +114,38 @@ tiffHeader metadata bits (width, height)
     -- positions.
     longTexts =
       6 + 8 + 8 + 6
-        + sum [n | n <- map (Bytes.length . padded . (`Bytes.snoc` 0)) [metadataText metadata, Characters.pack (metadataSoftware metadata)], n > 4]
+        + sum
+          [ n
+            | n <-
+                map
+                  (Bytes.length . padded . (`Bytes.snoc` 0))
+                  [metadataText metadata, Characters.pack (metadataSoftware metadata)],
+              n > 4
+          ]
         + maybe 0 (Bytes.length . padded) sphere
     placed = place heapStart entries
     place _ [] = []
     place at ((tag, kind, count, content) : rest)
-      | Bytes.length content > 4 = (tag, kind, count, Builder.word32LE (fromIntegral at)) : place (at + Bytes.length content) rest
-      | otherwise = (tag, kind, count, Builder.byteString (Bytes.take 4 (content <> Bytes.replicate 4 0))) : place at rest
+      | Bytes.length content > 4 =
+        (tag, kind, count, Builder.word32LE (fromIntegral at)) :
+        place
+          (at + Bytes.length content)
+          rest
+      | otherwise =
+        ( tag,
+          kind,
+          count,
+          Builder.byteString (Bytes.take 4 (content <> Bytes.replicate 4 0))
+        ) :
+        place at rest
 
 -- | The numbers of every row, lowest byte first, produced lazily.
-littleEndianRows :: (Storable e, Integral e, Bits e) => Int -> PixelShape -> Vector.Vector e -> [ByteString]
+littleEndianRows ::
+  (Storable e, Integral e, Bits e) =>
+  Int ->
+  PixelShape ->
+  Vector.Vector e ->
+  [ByteString]
 littleEndianRows bytes shape numbers = map row [0 .. shapeHeight shape - 1]
   where
     size = shapeRowLength shape
@@ -129,7 +170,11 @@ tiffMetadata bytes = do
   _ <- Bytes.stripPrefix (Bytes.pack [0x49, 0x49, 42, 0]) bytes
   directory <- littleEndian 4 4 bytes
   count <- littleEndian 2 directory bytes
-  case [place | i <- [0 .. count - 1], let place = directory + 2 + 12 * i, littleEndian 2 place bytes == Just 270] of
+  case [ place
+         | i <- [0 .. count - 1],
+           let place = directory + 2 + 12 * i,
+           littleEndian 2 place bytes == Just 270
+       ] of
     place : _ -> do
       size <- littleEndian 4 (place + 4) bytes
       start <- littleEndian 4 (place + 8) bytes

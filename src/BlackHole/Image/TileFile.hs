@@ -69,12 +69,22 @@ encodeTile header counts film
     size = (fst (tilePicture header), snd (tileRows header))
     content =
       Builder.toLazyByteString $
-        Builder.byteString (renderHeader header (isJust counts)) <> floats film <> foldMap floats counts
+        Builder.byteString (renderHeader header (isJust counts)) <> floats film
+          <> foldMap floats counts
     floats = Vector.foldr (\light rest -> Builder.floatLE light <> rest) mempty . toPixelVector
 
 renderHeader :: TileHeader -> Bool -> Bytes.ByteString
 renderHeader (TileHeader shard (width, height) scene) counted =
-  Char8.pack (unlines [magic, "tile " ++ renderShard shard, "picture " ++ show width ++ " " ++ show height, "counts " ++ (if counted then "yes" else "no"), "scene " ++ show (Bytes.length scene)]) <> scene
+  Char8.pack
+    ( unlines
+        [ magic,
+          "tile " ++ renderShard shard,
+          "picture " ++ show width ++ " " ++ show height,
+          "counts " ++ (if counted then "yes" else "no"),
+          "scene " ++ show (Bytes.length scene)
+        ]
+    )
+    <> scene
 
 magic :: String
 magic = "blackhole tile 2"
@@ -103,7 +113,11 @@ openTile path = withBinaryFile path ReadMode $ \handle -> do
       text <- Bytes.hGet handle textLength
       let header = TileHeader shard picture text
           begin = toInteger (skipped + textLength)
-          wanted = begin + (if counted then 16 else 12) * toInteger (fst picture) * toInteger (snd (tileRows header)) + 32
+          wanted =
+            begin + (if counted then 16 else 12) * toInteger (fst picture)
+              * toInteger
+                (snd (tileRows header))
+              + 32
       pure $
         if size == wanted
           then Right (TileFile path header begin counted)
@@ -162,9 +176,15 @@ readFloats :: TileFile -> Integer -> Int -> IO (Maybe (Vector.Vector Float))
 readFloats tile place count = withBinaryFile (tileFilePath tile) ReadMode $ \handle -> do
   hSeek handle AbsoluteSeek (tileFileStart tile + place)
   bytes <- Bytes.hGet handle (4 * count)
-  pure (if Bytes.length bytes < 4 * count then Nothing else Just (Vector.generate count (floatAt bytes)))
+  pure
+    ( if Bytes.length bytes < 4 * count
+        then Nothing
+        else Just (Vector.generate count (floatAt bytes))
+    )
   where
-    floatAt bytes i = castWord32ToFloat (at 0 .|. at 1 `shiftL` 8 .|. at 2 `shiftL` 16 .|. at 3 `shiftL` 24)
+    floatAt bytes i =
+      castWord32ToFloat
+        (at 0 .|. at 1 `shiftL` 8 .|. at 2 `shiftL` 16 .|. at 3 `shiftL` 24)
       where
         at k = fromIntegral (unsafeIndex bytes (4 * i + k)) :: Word32
 
@@ -176,10 +196,16 @@ readCountsRow tiles row = case filter holds tiles of
     | tileFileCounted tile ->
       let (from, rows) = tileRows (tileFileHeader tile)
           width = fst (tilePicture (tileFileHeader tile))
-       in readFloats tile (toInteger width * (12 * toInteger rows + 4 * toInteger (row - from))) width
+       in readFloats
+            tile
+            (toInteger width * (12 * toInteger rows + 4 * toInteger (row - from)))
+            width
   _ -> pure Nothing
   where
-    holds tile = let (from, rows) = tileRows (tileFileHeader tile) in row >= from && row < from + rows
+    holds tile =
+      let (from, rows) = tileRows (tileFileHeader tile)
+       in row >= from
+            && row < from + rows
 
 -- | A band of the whole picture (first row and number of rows), from the tiles that
 -- contain it. The tiles must be free of 'joinFaults'. 'Nothing' if the picture has no
@@ -193,7 +219,14 @@ readPictureRows tiles (first, rows) = do
     shape <- pixelShape width rows 3
     fromPixelVector shape (Vector.concat (map toPixelVector films))
   where
-    overlapping = filter (\tile -> let (from, count) = span' tile in count > 0 && from + count > first && from < first + rows) tiles
+    overlapping =
+      filter
+        ( \tile ->
+            let (from, count) = span' tile
+             in count > 0 && from + count > first
+                  && from < first + rows
+        )
+        tiles
     span' = tileRows . tileFileHeader
     part tile =
       let (from, count) = span' tile
@@ -213,13 +246,21 @@ joinFaults tiles@((firstPath, first) : _)
         | (path, header) <- tiles,
           different header
       ]
-    different header = (count header, tilePicture header, tileScene header) /= (count first, tilePicture first, tileScene first)
+    different header =
+      (count header, tilePicture header, tileScene header)
+        /= (count first, tilePicture first, tileScene first)
     difference header
       | tilePicture header /= tilePicture first = size header ++ " pixels instead of " ++ size first
-      | count header /= count first = "one of " ++ show (count header) ++ " tiles instead of " ++ show (count first)
-      | otherwise = case [(a, b) | (a, b) <- zip (Char8.lines (tileScene header)) (Char8.lines (tileScene first)), a /= b] of
-        (a, b) : _ -> trimmed a ++ " instead of " ++ trimmed b
-        [] -> "another scene"
+      | count header /= count first =
+        "one of " ++ show (count header) ++ " tiles instead of "
+          ++ show (count first)
+      | otherwise =
+        case [ (a, b)
+               | (a, b) <- zip (Char8.lines (tileScene header)) (Char8.lines (tileScene first)),
+                 a /= b
+             ] of
+          (a, b) : _ -> trimmed a ++ " instead of " ++ trimmed b
+          [] -> "another scene"
     size header = show (fst (tilePicture header)) ++ " x " ++ show (snd (tilePicture header))
     trimmed = unwords . words . Char8.unpack
     count = shardCount . tileShard
@@ -229,10 +270,15 @@ joinFaults tiles@((firstPath, first) : _)
         | ((i, a), (j, b)) <- zip parts (drop 1 parts),
           i == j
       ]
-    missing = case [renderShard (Shard i (count first)) | i <- absent [1 .. count first] (map fst parts)] of
-      [] -> []
-      [one] -> ["tile " ++ one ++ " is missing"]
-      several -> ["tiles " ++ intercalate ", " (take 20 several) ++ (if length several > 20 then ", ..." else "") ++ " are missing"]
+    missing =
+      case [renderShard (Shard i (count first)) | i <- absent [1 .. count first] (map fst parts)] of
+        [] -> []
+        [one] -> ["tile " ++ one ++ " is missing"]
+        several ->
+          [ "tiles " ++ intercalate ", " (take 20 several)
+              ++ (if length several > 20 then ", ..." else "")
+              ++ " are missing"
+          ]
     absent (i : is) (p : ps)
       | p < i = absent (i : is) ps
       | p == i = absent is ps

@@ -35,10 +35,24 @@ import Data.Vector.Storable (Vector)
 -- scenes. Bloom keeps a quarter of the picture's light in memory. Throws a user error if
 -- a band is missing. 'Nothing' if the picture is too large for the format. The bytes do
 -- not depend on the number of workers.
-pictureEncoder :: Workers -> String -> Format -> Coding -> NonEmpty Scene -> (Int -> IO (Vector Float)) -> Maybe (FilmBands -> Destination -> IO ())
+pictureEncoder ::
+  Workers ->
+  String ->
+  Format ->
+  Coding ->
+  NonEmpty Scene ->
+  (Int -> IO (Vector Float)) ->
+  Maybe (FilmBands -> Destination -> IO ())
 pictureEncoder workers program format coding scenes@(scene :| _) countsOf = do
   shape <- pixelShape width height 3
-  encode <- fileEncoder workers format (pictureMetadata program coding scenes) (sceneDevelopment scene) layers (width, height)
+  encode <-
+    fileEncoder
+      workers
+      format
+      (pictureMetadata program coding scenes)
+      (sceneDevelopment scene)
+      layers
+      (width, height)
   Just $ \sharpRows destination -> do
     bands <- opticsBands workers scene shape sharpRows
     complete <- maybe (pure False) (`encode` destination) bands
@@ -50,13 +64,25 @@ pictureEncoder workers program format coding scenes@(scene :| _) countsOf = do
       | otherwise = noLayers
 
 -- | The bytes that 'pictureEncoder' writes for a whole film in memory.
-pictureBytes :: Workers -> String -> Format -> Coding -> NonEmpty Scene -> Exposed -> IO (Maybe Lazy.ByteString)
+pictureBytes ::
+  Workers ->
+  String ->
+  Format ->
+  Coding ->
+  NonEmpty Scene ->
+  Exposed ->
+  IO (Maybe Lazy.ByteString)
 pictureBytes workers program format coding scenes@(scene :| _) exposed =
-  traverse written (pictureEncoder workers program format coding scenes (pure . countsRow scene exposed))
+  traverse
+    written
+    (pictureEncoder workers program format coding scenes (pure . countsRow scene exposed))
   where
     written write = snd <$> inMemory (write (pure . filmRows (exposedLight exposed)))
 
 -- | The metadata of a picture of some scenes.
 pictureMetadata :: String -> Coding -> NonEmpty Scene -> Metadata
 pictureMetadata program coding scenes =
-  Metadata program coding (joinBlurredScenes (fmap (strict . Builder.stringUtf8 . printScene []) scenes))
+  Metadata
+    program
+    coding
+    (joinBlurredScenes (fmap (strict . Builder.stringUtf8 . printScene []) scenes))

@@ -1,59 +1,86 @@
--- | The thin accretion disk of Page and Thorne around a hole that does not rotate: the
--- flux and temperature of each ring when no torque acts at the innermost stable orbit.
+-- | The thin accretion disk of Page and Thorne around a hole of any spin: how much each
+-- ring of right-handed gas radiates if no torque acts at the innermost stable orbit.
 -- Radii are in Schwarzschild radii.
 module BlackHole.Matter.ThinDisk
-  ( pageThorneFlux,
-    peakRadius,
-    peakFlux,
+  ( ThinDisk,
+    thinDisk,
+    thinDiskFlux,
+    thinDiskPeak,
     relativeTemperature,
-    log1pMinus,
   )
 where
 
+import BlackHole.Numeric.Bisection (bisect)
+import BlackHole.Spacetime.Kerr.Landmarks
 import Numeric (log1p)
 
--- | Energy flux from one face of the disk at a radius, as measured in the frame of the
--- gas, in units of 3Ṁ/(8πM²) (with r_s = 1, that is 3Ṁ/(2π)). It is 0 at the innermost
--- stable orbit r = 3, inside it, and for NaN (Page and Thorne 1974, eq. 15n without
--- rotation). With x = √(2r) it is
---
--- > [x − √6 + (√3/2) ln((x+√3)(√6−√3) / ((x−√3)(√6+√3)))] / ((x²−3) x⁵)
---
--- The factor of the logarithm is √3/2. Some printed versions have √3/3, with which the
--- flux would not vanish quadratically at r = 3. At large r the flux is 1/(8r³).
---
--- Close to r = 3 the bracket is a difference of nearly equal terms, so it is computed
--- as (√3/2) [p(d/(√6+√3)) − p(d/(√6−√3))] with d = x − √6 and p(t) = ln(1+t) − t: the
--- linear terms of the two logarithms add up to x − √6. The relative error stays below
--- 5e-15 at every radius.
-pageThorneFlux :: Double -> Double
-pageThorneFlux r
-  | r > 3 && not (isInfinite r) =
-    bracket / ((x * x - 3) * x * (x * x) * (x * x))
-  | otherwise = 0
+-- | The disk around one hole.
+data ThinDisk = ThinDisk
+  { _diskSpin :: !Double,
+    -- | The innermost stable orbit, and √(2r) there.
+    _diskEdge :: !Double,
+    _diskEdgeRoot :: !Double,
+    -- | The roots of @x³ − 3x + 2s@ with the weights of their logarithms.
+    _diskRoots :: ![(Double, Double)],
+    -- | Radius and flux of the ring that radiates most.
+    _diskPeak :: !(Double, Double)
+  }
+
+-- | The disk around a hole; finds the peak by bisection.
+thinDisk :: Spin -> ThinDisk
+thinDisk hole = disk (peak, thinDiskFlux unpeaked peak)
   where
-    x = sqrt (2 * r)
-    -- x − √6, without cancellation.
-    d = 2 * (r - 3) / (x + sqrt 6)
-    bracket =
-      0.5 * sqrt 3
-        * ( log1pMinus (d / (sqrt 6 + sqrt 3))
-              - log1pMinus (d / (sqrt 6 - sqrt 3))
-          )
+    s = dimensionlessSpin hole
+    edge = iscoRadius RightHanded hole
+    disk = ThinDisk s edge (sqrt (2 * edge)) weighted
+    unpeaked = disk (0, 0)
+    x1 = 2 * cos ((acos s - pi) / 3)
+    x3 = negate (2 * cos (acos s / 3))
+    x2 = negate (2 * s / (x1 * x3))
+    weighted = [(root, weight root others) | (root, others) <- [(x1, (x2, x3)), (x2, (x1, x3)), (x3, (x1, x2))], root /= 0]
+    weight root (other, another) = 3 * (root - s) * (root - s) / (root * (root - other) * (root - another))
+    -- The flux is b/g; its derivative has the sign of b'g − bg'.
+    peak = bisect rising edge (16 * edge)
+    rising r = slope y * divisor s y > bracket unpeaked r * divisorSlope y
+      where
+        y = sqrt (2 * r)
+    slope y = (((y * y - 6) * y + 8 * s) * y - 3 * s * s) / (y * ((y * y - 3) * y + 2 * s))
+    divisorSlope y = y * y * y * ((7 * y * y - 15) * y + 8 * s)
 
--- | The radius of greatest flux and temperature, where the derivative of
--- 'pageThorneFlux' vanishes, computed with 40 digits.
-peakRadius :: Double
-peakRadius = 4.775464038971935
+-- | Energy flux from one face at a radius, as measured by the gas, in units of
+-- @3Ṁ\/(8πM²)@, which makes it @1\/(8r³)@ far out; 0 at the innermost stable orbit, inside
+-- it and for NaN (Page and Thorne 1974, equation 15n, with the equivalent sum of three
+-- logarithms). With @x = √(2r)@ and @x₀@ its value at the edge it is
+--
+-- > [x − x₀ − (3s/2) ln(x/x₀) − Σ cᵢ ln((x − xᵢ)/(x₀ − xᵢ))] / (x⁴ (x³ − 3x + 2s))
+--
+-- in which the parts of the logarithms that are linear in @x − x₀@ cancel exactly;
+-- they are left out on both sides. Without spin the sum is that of Page and Thorne's
+-- logarithm with the factor √3\/2. (Some printed versions have √3\/3, with which the flux
+-- would not vanish quadratically at r = 3.)
+thinDiskFlux :: ThinDisk -> Double -> Double
+thinDiskFlux disk r
+  | r > _diskEdge disk && not (isInfinite r) = bracket disk r / divisor (_diskSpin disk) (sqrt (2 * r))
+  | otherwise = 0
 
--- | @pageThorneFlux peakRadius@, precomputed.
-peakFlux :: Double
-peakFlux = 1.1458947324417218e-4
+bracket :: ThinDisk -> Double -> Double
+bracket (ThinDisk s edge x0 roots _) r =
+  negate (1.5 * s * log1pMinus (d / x0)) - sum [c * log1pMinus (d / (x0 - root)) | (root, c) <- roots]
+  where
+    -- x − x₀, without cancellation.
+    d = 2 * (r - edge) / (sqrt (2 * r) + x0)
 
--- | The temperature of the gas relative to the hottest ring, (F/F_peak)^¼: 0 at and
--- inside r = 3, 1 at 'peakRadius', and falling as r^(−3/4) at large r.
-relativeTemperature :: Double -> Double
-relativeTemperature r = min 1 (sqrt (sqrt (pageThorneFlux r / peakFlux)))
+divisor :: Double -> Double -> Double
+divisor s x = x * x * x * x * ((x * x - 3) * x + 2 * s)
+
+-- | The radius of the ring that radiates most, and its flux.
+thinDiskPeak :: ThinDisk -> (Double, Double)
+thinDiskPeak = _diskPeak
+
+-- | The temperature of the gas relative to the hottest ring, @(F\/F_peak)^¼@: 0 at and
+-- inside the innermost stable orbit, 1 at the peak, and falling as r^(−3\/4) far out.
+relativeTemperature :: ThinDisk -> Double -> Double
+relativeTemperature disk r = min 1 (sqrt (sqrt (thinDiskFlux disk r / snd (_diskPeak disk))))
 
 -- | ln(1+t) − t for t ≥ 0, with a small relative error for small t as well. There the
 -- logarithm is 2 artanh w = 2w + 2w³/3 + 2w⁵/5 + … with w = t/(2+t), and 2w − t = −tw

@@ -1,5 +1,3 @@
-{-# LANGUAGE BangPatterns #-}
-
 -- | The gradients at the corners of a cell, and the noise between them (Perlin 1985, "An
 -- image synthesizer", with the smoother weights of Perlin 2002, "Improving noise").
 --

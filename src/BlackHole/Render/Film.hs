@@ -32,6 +32,7 @@ import BlackHole.Trace.Adaptive
 import BlackHole.Trace.EnvironmentMap (EnvironmentMap)
 import BlackHole.Trace.Estimate
 import BlackHole.Trace.Pixel
+import BlackHole.Trace.Tracer
 import Control.Monad (when)
 import Control.Monad.ST (ST)
 import Data.Foldable (for_)
@@ -100,7 +101,7 @@ exposeTraced traced workers progress (first, rows)
         then refineRows workers progress traced shape first
         else Just . (`Exposed` Nothing) <$> generateRows workers progress shape (traceRow traced width . (first +))
   where
-    scene = tracedScene traced
+    scene = tracerScene traced
     Picture width height = scenePicture scene
 
 -- | The work of 'exposeFilm' for adaptive sampling: traces the first samples of some
@@ -134,7 +135,7 @@ refineRows workers progress traced shape first = do
           haloRows = min height (first + from + count + 1) - haloFirst
   go 0 Nothing
   where
-    Picture width height = scenePicture (tracedScene traced)
+    Picture width height = scenePicture (tracerScene traced)
     rows = shapeHeight shape
     half n = (n + 1) `quot` 2
     exposed light counts = do
@@ -159,7 +160,7 @@ traceRow traced !width !row pixels
     forThrees width (firstSamples traced width row) $ \column sums ->
       writeRadiance pixels column (estimatedRadiance sums)
   where
-    scene = tracedScene traced
+    scene = tracerScene traced
     oneByOne !column = when (column < width) $ do
       writeRadiance pixels column (onlySample traced column row)
       oneByOne (column + 1)
@@ -171,7 +172,7 @@ firstSamples traced width row column
   | column + 3 <= width = addSamplesToThree traced 0 count noSamples noSamples noSamples column row
   | otherwise = (one column, one (column + 1), one (column + 2))
   where
-    count = sceneSamples (tracedScene traced)
+    count = sceneSamples (tracerScene traced)
     one c
       | c < width = addSamples traced 0 count noSamples c row
       | otherwise = noSamples
@@ -216,7 +217,7 @@ refineRow traced !width !sumsFirst sums !row pixels = go 0
       MVector.unsafeWrite pixels (4 * column + 2) (realToFrac b)
       MVector.unsafeWrite pixels (4 * column + 3) (fromIntegral (estimateCount estimate))
       go (column + 1)
-    scene = tracedScene traced
+    scene = tracerScene traced
     !numbers = toPixelVector sums
     sumOf :: Int -> Int -> Int -> Double
     sumOf c r k = realToFrac (Vector.unsafeIndex numbers (sumCount * (width * (r - sumsFirst) + c) + k))

@@ -8,6 +8,7 @@ where
 
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
+import BlackHole.Spacetime.PlaneCrossing (PlaneCrossing (..))
 import BlackHole.Trace.PixelGeometry
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as Vector
@@ -42,5 +43,5 @@ sceneLayers scene counts = layers <$> pixelGeometry scene
       v : rest -> (v, (column, rest))
       [] ->
         let PixelGeometry deflection hit = look column row
-         in (number (hitRedshift <$> hit), (column + 1 :: Int, [number deflection, number (hitRadius <$> hit)]))
+         in (number (crossingLight <$> hit), (column + 1 :: Int, [number deflection, number (crossingRadius <$> hit)]))
     number = maybe (0 / 0) realToFrac :: Maybe Double -> Float

@@ -19,9 +19,9 @@ import BlackHole.Scene.Filter (Filter (..))
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Shifts (Shifts (..))
 import BlackHole.Scene.Sky
-import BlackHole.Spacetime.Kerr.Landmarks (Handedness (RightHanded), iscoRadius, spin)
+import BlackHole.Spacetime.Kerr.Landmarks (spin)
 import BlackHole.Spacetime.Observer (Observer (..))
-import BlackHole.Spacetime.Types (Spacetime (..))
+import BlackHole.Spacetime.Types (Spacetime (..), spacetimeIsco)
 import BlackHole.Vector.XYZ (XYZ (..))
 
 -- | Every preset with its name, the default first.
@@ -199,7 +199,7 @@ kerrScene = maybe defaultScene around (spin 0.998)
           sceneSpacetime = Kerr hole,
           -- The gas is hottest in a narrow ring; as bright as the default's it would leave
           -- the rest of the disk dark.
-          sceneDisk = Just defaultDisk {diskInnerRadius = iscoRadius RightHanded hole, diskOuterRadius = 11, diskBrightness = 3.5, diskColour = BlackBody 4800}
+          sceneDisk = Just defaultDisk {diskInnerRadius = spacetimeIsco (Kerr hole), diskOuterRadius = 11, diskBrightness = 3.5, diskColour = BlackBody 4800}
         }
 
 -- | A wide disk seen from above its plane by an observer at rest. All of it is in the

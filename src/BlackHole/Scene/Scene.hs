@@ -22,6 +22,7 @@ import BlackHole.Scene.Sky (Sky)
 import BlackHole.Spacetime.LightPath (Region, emptyRegion)
 import BlackHole.Spacetime.Observer (Observer)
 import BlackHole.Spacetime.Schwarzschild.Leapfrog
+import BlackHole.Spacetime.Schwarzschild.LeapfrogStep
 import BlackHole.Spacetime.Types (Spacetime)
 import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Word (Word64)

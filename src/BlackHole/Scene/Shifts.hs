@@ -1,15 +1,11 @@
 -- | The frequency shifts that a picture shows.
 module BlackHole.Scene.Shifts
   ( Shifts (..),
-    shiftFactor,
     SkyShift,
     skyShiftAt,
-    noSkyShift,
     skyShift,
   )
 where
-
-import BlackHole.Matter.Redshift (RedshiftParts (..))
 
 -- | Physically, both shifts apply; a film may leave one out for artistic reasons.
 data Shifts = Shifts
@@ -19,14 +15,6 @@ data Shifts = Shifts
     shiftsGravity :: !Bool
   }
   deriving (Eq, Show)
-
--- | The part of g that applies to light from the gas. The observer's own motion belongs
--- to the gravitational part ('RedshiftParts').
-shiftFactor :: Shifts -> RedshiftParts -> Double
-shiftFactor (Shifts doppler gravity) shift =
-  (if gravity then redshiftGravitational shift else 1)
-    * (if doppler then redshiftDoppler shift else 1)
-{-# INLINE shiftFactor #-}
 
 -- | The part of g that applies to light from the sky for an observer at one position: a
 -- factor, and the divisor of the observer's ν_obs/E∞ if that applies.
@@ -45,10 +33,6 @@ skyShiftAt (Shifts doppler gravity) atRest = case atRest of
     shift factor static moving
       | moving = ShiftByFrequency factor static
       | otherwise = SteadyShift factor
-
--- | No shift, as without gravity.
-noSkyShift :: SkyShift
-noSkyShift = SteadyShift 1
 
 -- | The part of g, from the observer's ν_obs/E∞.
 skyShift :: SkyShift -> Double -> Double

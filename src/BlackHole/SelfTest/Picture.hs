@@ -17,7 +17,8 @@ import BlackHole.Scene.Scene
 import BlackHole.Scene.Sky
 import BlackHole.SelfTest.Check
 import BlackHole.Spacetime.Observer (Observer (Static))
-import BlackHole.Trace.Pixel
+import BlackHole.Trace.Ray
+import BlackHole.Trace.Tracer
 import BlackHole.Vector.XY (XY (..))
 import Data.Maybe (mapMaybe)
 import qualified Data.Vector.Storable as Vector
@@ -47,10 +48,20 @@ shadowChecks (place, r, fieldOfView) = do
       circle = sqrt (fromIntegral dark / pi) :: Double
       unevenness
         | null pixels = 0 / 0
-        | otherwise = maximum (0 : [abs (v / uniform - 1) | Radiance v _ _ <- filter (/= black) pixels])
+        | otherwise =
+          maximum
+            (0 : [abs (v / uniform - 1) | Radiance v _ _ <- filter (/= black) pixels])
   pure
-    [ Check ("shadow radius at r = " ++ place ++ ", edge in the picture's row (rad)") edge synge 1e-9,
-      Check ("shadow radius at r = " ++ place ++ ", dark area of the picture (rad)") (angleOf circle) synge (angleOf (reach + sqrt 0.5) - synge),
+    [ Check
+        ("shadow radius at r = " ++ place ++ ", edge in the picture's row (rad)")
+        edge
+        synge
+        1e-9,
+      Check
+        ("shadow radius at r = " ++ place ++ ", dark area of the picture (rad)")
+        (angleOf circle)
+        synge
+        (angleOf (reach + sqrt 0.5) - synge),
       Check ("uniform sky at r = " ++ place ++ ", greatest relative deviation") unevenness 0 1e-6
     ]
   where
@@ -62,9 +73,14 @@ shadowChecks (place, r, fieldOfView) = do
     reach = tan synge / scale
     edge = case tracer scene of
       Nothing -> 0 / 0
-      Just traced -> angleOf (bisect (\d -> sightRadiance traced (XY (middle + d) middle) == black) 0 middle)
+      Just traced ->
+        angleOf
+          (bisect (\d -> sightRadiance traced (XY (middle + d) middle) == black) 0 middle)
     middle = 0.5 * fromIntegral side
-    allPixels film = mapMaybe (uncurry (filmRadiance film)) [(x, y) | y <- [0 .. side - 1], x <- [0 .. side - 1]]
+    allPixels film =
+      mapMaybe
+        (uncurry (filmRadiance film))
+        [(x, y) | y <- [0 .. side - 1], x <- [0 .. side - 1]]
 
 -- | The width and height of the shadow's pictures in pixels.
 side :: Int
@@ -103,4 +119,6 @@ workersCheck = do
       exposed <- exposeFilm Nothing workers (const (pure ())) scene (allRows (scenePicture scene))
       case exposed of
         Nothing -> pure []
-        Just (Exposed film _) -> Vector.toList . toPixelVector <$> developFilm workers (sceneDevelopment scene) film
+        Just (Exposed film _) ->
+          Vector.toList . toPixelVector
+            <$> developFilm workers (sceneDevelopment scene) film

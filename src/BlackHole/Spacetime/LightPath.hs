@@ -5,10 +5,10 @@
 -- camera. After each segment the gathering function says whether it wants the next one.
 -- Every way to follow light has the type
 --
--- > Region -> Photon -> (a -> Stretch -> Onward a) -> a -> Followed a
+-- > Region -> Photon -> (a -> PathSegment -> Continue a) -> a -> Followed a
 module BlackHole.Spacetime.LightPath
   ( PathSegment (..),
-    segmentLength,
+    planarSegment,
     Continue (..),
     Followed (..),
     Region (..),
@@ -19,6 +19,8 @@ module BlackHole.Spacetime.LightPath
 where
 
 import BlackHole.Spacetime.Fate (Fate)
+import BlackHole.Spacetime.Momentum
+import BlackHole.Spacetime.Photon
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ
 
@@ -26,19 +28,39 @@ import qualified BlackHole.Vector.XYZ as XYZ
 data PathSegment = PathSegment
   { -- | The middle of the segment, where the gas is evaluated, in Schwarzschild radii.
     segmentMiddle :: {-# UNPACK #-} !XYZ,
-    -- | Backward pseudo-velocity at the middle, for unit energy at infinity. Its radial
-    -- component is @−k^r@ and its tangential component @−L/r@ of the real momentum.
-    segmentVelocity :: {-# UNPACK #-} !XYZ,
-    -- | Affine length on the same scale. An observer for whom the light has @ν@ times
-    -- its energy at infinity measures @ν@ times this length.
-    segmentAffineLength :: {-# UNPACK #-} !Double
+    -- | The distance of the middle from the hole.
+    segmentRadius :: {-# UNPACK #-} !Double,
+    -- | Affine length for unit energy at infinity. An observer for whom the light has
+    -- @ν@ times its energy at infinity measures @ν@ times this length.
+    segmentAffineLength :: {-# UNPACK #-} !Double,
+    -- | Length in space as a picture draws it, in Schwarzschild radii.
+    segmentLength :: {-# UNPACK #-} !Double,
+    -- | The change of the radius along the segment, backwards in time.
+    segmentRadialStep :: {-# UNPACK #-} !Double,
+    -- | The change of the height above the disk's plane along the segment.
+    segmentVerticalStep :: {-# UNPACK #-} !Double,
+    -- | The momentum of the real photon at the middle.
+    segmentMomentum :: {-# UNPACK #-} !Momentum
   }
   deriving (Eq, Show)
 
--- | Length in pseudo-space, in Schwarzschild radii.
-segmentLength :: PathSegment -> Double
-segmentLength (PathSegment _ v affine) = XYZ.norm v * affine
-{-# INLINE segmentLength #-}
+-- | The segment of a photon of unit energy around a hole without spin: from its place
+-- and backward pseudo-velocity in the middle of the segment, and the affine length.
+planarSegment :: Photon -> Double -> PathSegment
+planarSegment (Photon middle@(XYZ x _ z) velocity@(XYZ vx vy vz)) affine =
+  PathSegment
+    { segmentMiddle = middle,
+      segmentRadius = r,
+      segmentAffineLength = affine,
+      segmentLength = affine * XYZ.norm velocity,
+      segmentRadialStep = affine * radial / r,
+      segmentVerticalStep = affine * vy,
+      segmentMomentum = Momentum (negate radial / (r - 1)) (x * vz - z * vx)
+    }
+  where
+    r = XYZ.norm middle
+    radial = XYZ.dot middle velocity
+{-# INLINE planarSegment #-}
 
 -- | The gathering function's answer to a segment.
 data Continue a
@@ -49,7 +71,7 @@ data Continue a
 
 -- | The end of a path, the state gathered along it, and the number of steps taken.
 data Followed a = Followed
-  { followedFate :: !Fate,
+  { followedFate :: !(Fate XYZ),
     followedState :: !a,
     followedSteps :: !Int
   }
@@ -73,7 +95,7 @@ data Region = Region
     -- | Greatest length of one segment, as a fraction of the distance from the axis.
     regionLongestStep :: !Double,
     -- | The fraction of the half height within which 'regionVerticalStep' holds. Further
-    -- from the plane the segments of 'BlackHole.Spacetime.Schwarzschild.TablePath.followSwept' grow in
+    -- from the plane the segments of 'BlackHole.Spacetime.Schwarzschild.TablePath.followTable' grow in
     -- proportion to the height.
     regionCore :: !Double
   }

@@ -24,10 +24,9 @@ module BlackHole.Spacetime.Observer
   )
 where
 
-import BlackHole.Matter.Redshift (staticObserver)
 import BlackHole.Spacetime.Kerr.Landmarks
-import BlackHole.Spacetime.Kerr.Path (Azimuth (..))
 import BlackHole.Spacetime.Kerr.Sight
+import BlackHole.Spacetime.Momentum (staticFrequency)
 import BlackHole.Spacetime.Photon
 import BlackHole.Spacetime.Types (Spacetime (..))
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^), (^-^))
@@ -105,7 +104,7 @@ observerExists space observer place = case space of
 frequencyAtRest :: Spacetime -> XYZ -> Maybe Double
 frequencyAtRest space place = case space of
   Flat -> Just 1
-  Schwarzschild -> staticObserver (XYZ.norm place)
+  Schwarzschild -> staticFrequency (XYZ.norm place)
   Kerr hole -> rayObserved <$> lightRay hole (kerrPlace place) AtRest (Direction 1 0 0)
 
 -- | The observer's motion around a rotating hole; 'Nothing' for the camera of the design

@@ -20,14 +20,16 @@ where
 import BlackHole.Scene.Camera (Picture (..), closesAround)
 import BlackHole.Scene.Scene
 import BlackHole.Trace.Estimate
+import BlackHole.Trace.PhotonRing
 import BlackHole.Trace.Pixel
 import BlackHole.Trace.Sampling (Sample)
+import BlackHole.Trace.Tracer
 import BlackHole.Vector.XY (XY (..))
 
 -- | The estimate of a pixel (column and row from the top left, counted from 0) after
 -- the samples that every pixel gets.
 firstEstimate :: Tracer -> Int -> Int -> Estimate
-firstEstimate traced = addSamples traced 0 (sceneSamples (tracedScene traced)) noSamples
+firstEstimate traced = addSamples traced 0 (sceneSamples (tracerScene traced)) noSamples
 
 -- | @refinedEstimate traced uncertain first column row@ is the final estimate of a
 -- pixel, from its first estimate and a function that says, by column and row, whether
@@ -39,7 +41,7 @@ refinedEstimate traced uncertain first !column !row
   | anyFrom (max 0 (row - 1)) = moreSamples traced first column row
   | otherwise = first
   where
-    scene = tracedScene traced
+    scene = tracerScene traced
     Picture width height = scenePicture scene
     -- Where a picture closes around the sphere its last column is the first one's
     -- neighbour.
@@ -63,7 +65,7 @@ pixelRing traced column row = photonRing traced (XY (fromIntegral column + 0.5) 
 pixelSamples :: Tracer -> Int -> Int -> Int -> [Sample]
 pixelSamples traced count column row = map point [0 .. count - 1]
   where
-    scene = tracedScene traced
+    scene = tracerScene traced
     point = case pixelRing traced column row of
       Just ring | mostSamples scene > sceneSamples scene -> ringPoint traced ring column row
       _ -> samplePoint scene column row
@@ -77,7 +79,7 @@ uncertainEstimate scene seen square = standardError (sceneSamples scene) seen sq
 moreSamples :: Tracer -> Estimate -> Int -> Int -> Estimate
 moreSamples traced first !column !row = refined (sceneSamples scene) first
   where
-    scene = tracedScene traced
+    scene = tracerScene traced
     most = mostSamples scene
     refined !count estimate
       | count >= most = estimate
@@ -94,6 +96,6 @@ pixelEstimate traced column row
   | mostSamples scene > sceneSamples scene = refinedEstimate traced uncertain (stored column row) column row
   | otherwise = firstEstimate traced column row
   where
-    scene = tracedScene traced
+    scene = tracerScene traced
     stored c r = asStored (firstEstimate traced c r)
     uncertain c r = let estimate = stored c r in uncertainEstimate scene (estimateSeen estimate) (estimateSeenSquare estimate)

@@ -17,19 +17,23 @@ where
 
 import BlackHole.Light.Display
 import BlackHole.Light.Radiance
+import BlackHole.Matter.GasFlow (gasFlow)
+import BlackHole.Matter.Redshift
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
 import BlackHole.Spacetime.Fate (Fate)
+import BlackHole.Spacetime.Follow (planeCrossings)
 import BlackHole.Spacetime.Kerr.Sight (LightRay (..))
 import BlackHole.Spacetime.LightPath
 import BlackHole.Spacetime.Observer (SightLine (..), sightFrequency)
 import BlackHole.Spacetime.Photon (angularMomentum)
+import BlackHole.Spacetime.PlaneCrossing (PlaneCrossing)
 import BlackHole.Trace.Adaptive
 import BlackHole.Trace.Estimate
 import BlackHole.Trace.Gas
-import BlackHole.Trace.Pixel
-import BlackHole.Trace.PlaneCrossing
+import BlackHole.Trace.Ray
 import BlackHole.Trace.Sampling (Sample (..))
+import BlackHole.Trace.Tracer
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ)
 import Data.Word (Word8)
@@ -69,8 +73,9 @@ data Arrival = Arrival
   { arrivalConstants :: !Constants,
     -- | The observer's frequency over the frequency at infinity.
     arrivalFrequency :: !Double,
-    arrivalFate :: !Fate,
-    arrivalCrossings :: ![PlaneCrossing],
+    arrivalFate :: !(Fate XYZ),
+    -- | With the shift of gas there, outside the horizon.
+    arrivalCrossings :: ![PlaneCrossing (Maybe Redshift)],
     -- | Number of steps of the integrator.
     arrivalSteps :: !Int,
     -- | Number of path segments that contained gas.
@@ -127,7 +132,7 @@ explainPixel traced column row
           explainedShown = shownAs scene column row radiance
         }
   where
-    scene = tracedScene traced
+    scene = tracerScene traced
     Picture width height = scenePicture scene
     estimate = pixelEstimate traced column row
     radiance = estimatedRadiance estimate
@@ -150,7 +155,7 @@ data Counted = Counted !Int !Gathered
 -- | The fate of a line of sight, the number of integrator steps, and the number of
 -- segments with gas, for the ray through this point of the picture as the renderer
 -- traces it.
-gatheredAlong :: Tracer -> XY -> SightLine -> (Fate, Int, Int)
+gatheredAlong :: Tracer -> XY -> SightLine -> (Fate XYZ, Int, Int)
 gatheredAlong traced point sight = case counted traced point sight of
   Followed fate (Counted samples _) steps -> (fate, steps, samples)
 
@@ -164,7 +169,7 @@ arrival scene traced shared point sight =
             RotatingSight _ _ ray -> LambdaAndCarter (rayLambda ray) (rayEta ray),
           arrivalFrequency = sightFrequency sight,
           arrivalFate = fate,
-          arrivalCrossings = planeCrossings scene sight,
+          arrivalCrossings = [crossingRedshift (gasFlow (sceneSpacetime scene)) sight crossing <$ crossing | crossing <- planeCrossings (tracerPaths traced) sight],
           arrivalSteps = steps,
           arrivalGasSamples = samples,
           arrivalTransmittance = transmittance,

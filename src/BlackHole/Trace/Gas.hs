@@ -12,7 +12,6 @@ module BlackHole.Trace.Gas
     gas,
     gasSeenFrom,
     gatherGas,
-    gatherGasAround,
     gatherParity,
   )
 where
@@ -21,21 +20,16 @@ import BlackHole.Light.BlackBodyTable (blackBodyRadiance)
 import qualified BlackHole.Light.BlackBodyTable as BlackBodyTable (Brightness (..))
 import BlackHole.Light.Display (decodeSrgb)
 import BlackHole.Light.Radiance
-import BlackHole.Matter.Redshift (gasFrequency)
-import BlackHole.Matter.ThinDisk (relativeTemperature)
+import BlackHole.Matter.GasFlow
+import BlackHole.Matter.ThinDisk (relativeTemperature, thinDisk)
 import BlackHole.Numeric.Exponential (exponential)
 import BlackHole.Scene.Disk
 import BlackHole.Scene.Shifts
-import BlackHole.Spacetime.Kerr.GasFlow (Frequencies (..), GasFlow, gasFlow, gasFrequencies)
-import BlackHole.Spacetime.Kerr.Landmarks (horizonRadius)
-import BlackHole.Spacetime.Kerr.Sight (LightRay)
-import qualified BlackHole.Spacetime.Kerr.ThinDisk as Kerr
 import BlackHole.Spacetime.LightPath
-import BlackHole.Spacetime.Types (Spacetime (..))
+import BlackHole.Spacetime.Types (Spacetime, spacetimeHorizon, spacetimeSpin)
 import BlackHole.Trace.GasField
 import BlackHole.Trace.Tabulated
 import BlackHole.Vector.XYZ (XYZ (..))
-import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Word (Word64)
 import GHC.Exts (lazy)
 
@@ -82,8 +76,8 @@ data Gas = Gas
     -- | The horizon's radius; there is no gas at and inside it.
     gasHorizon :: {-# UNPACK #-} !Double,
     gasGlow :: !Glow,
-    -- | How the gas flows around a rotating hole.
-    gasAround :: !(Maybe GasFlow)
+    -- | How the gas moves.
+    gasAround :: !GasFlow
   }
 
 -- | How gas shines.
@@ -104,12 +98,8 @@ gas space seed shifts disk eye pixel samples =
       gasOuter = diskOuterRadius disk,
       gasExtinction = diskOpacity disk / diskThickness disk,
       gasShifts = shifts,
-      gasHorizon = case space of
-        Kerr hole -> horizonRadius hole
-        _ -> 1,
-      gasAround = case space of
-        Kerr hole -> Just (gasFlow hole)
-        _ -> Nothing,
+      gasHorizon = spacetimeHorizon space,
+      gasAround = gasFlow space,
       gasGlow = case diskColour disk of
         HueRamp -> ByRadius (diskBrightness disk)
         BlackBody peak -> let blackBody = blackBodyRadiance BlackBodyTable.Bolometric peak in byTemperature thin (\t -> blackBody (t * peak))
@@ -118,9 +108,7 @@ gas space seed shifts disk eye pixel samples =
     }
   where
     bolometric t = grey (t * t * (t * t))
-    thin = case space of
-      Kerr hole -> Kerr.relativeTemperature (Kerr.thinDisk hole)
-      _ -> relativeTemperature
+    thin = relativeTemperature (thinDisk (spacetimeSpin space))
     byTemperature temperatureAt light =
       ByTemperature
         (tabulate 1 2048 (regionInnerRadius (diskRegion Fine disk)) (diskOuterRadius disk) (pure . temperatureAt))
@@ -142,37 +130,26 @@ hottest = 4
 -- | @gatherGas gas observed@ adds the gas of one segment, for light that an
 -- observer sees at @observed@ times its frequency at infinity.
 gatherGas :: Gas -> Double -> Gathered -> PathSegment -> Continue Gathered
-gatherGas g observed gathered segment = onward (throughGas g Planar observed gathered segment)
+gatherGas g observed gathered segment = onward (throughGas g observed gathered segment)
 {-# INLINE gatherGas #-}
-
--- | 'gatherGas' for a ray around a rotating hole.
-gatherGasAround :: Gas -> LightRay -> Double -> Gathered -> PathSegment -> Continue Gathered
-gatherGasAround g ray = case gasAround g of
-  Nothing -> gatherGas g
-  Just flow -> let !light = Around flow ray in \observed gathered segment -> onward (throughGas g light observed gathered segment)
-{-# INLINE gatherGasAround #-}
-
--- | What else than the segment decides the frequency of light in the gas: nothing on a
--- path in a plane; around a rotating hole the flow and the ray's constants.
-data Light = Planar | Around !GasFlow !LightRay
 
 -- A call of its own: inlined into the loop that follows a path, it would leave
 -- no register for either. The gas goes in as a pointer, for which 'lazy' stands.
-throughGas :: Gas -> Light -> Double -> Gathered -> PathSegment -> Gathered
-throughGas prepared light !observed !gathered !segment = case gasAt (gasDensity g) place r extent slant of
+throughGas :: Gas -> Double -> Gathered -> PathSegment -> Gathered
+throughGas prepared !observed !gathered !segment = case gasAt (gasDensity g) place r extent slant of
   Here dense heat
     | dense < thinnestGas -> gathered
     | otherwise -> shining (gasExtinction g * dense) heat
   where
     g = lazy prepared
-    !place@(XYZ px py pz) = segmentMiddle segment
-    !r = XYZ.norm place
-    !velocity@(XYZ vx vy vz) = segmentVelocity segment
+    !place@(XYZ _ py _) = segmentMiddle segment
+    !r = segmentRadius segment
     -- Gas is drawn out along its orbits: what counts is how far the segment goes
     -- across them, and a tenth of its length.
-    !inward = abs (px * vx + py * vy + pz * vz) / r
-    !extent = segmentAffineLength segment * (max inward (abs vy) + 0.1 * XYZ.norm velocity)
-    !slant = min 8 (max 1 (0.7 * inward / (abs vy + 1e-9)))
+    !inward = abs (segmentRadialStep segment)
+    !upward = abs (segmentVerticalStep segment)
+    !extent = max inward upward + 0.1 * segmentLength segment
+    !slant = min 8 (max 1 (0.7 * inward / (upward + 1e-9 * segmentAffineLength segment)))
     shining !opacity !heat = case gasGlow g of
       ByRadius brightness ->
         pass
@@ -181,10 +158,8 @@ throughGas prepared light !observed !gathered !segment = case gasAt (gasDensity 
           gathered
       ByTemperature temperatures table glow
         | r <= gasHorizon g -> gathered
-        | otherwise -> case light of
-          Planar -> glowing heat opacity temperatures table glow (sqrt (r / (r - 1))) (gasFrequency place r velocity)
-          Around flow ray -> case gasFrequencies flow ray r (py / r) (px * vx + py * vy + pz * vz > 0) of
-            Frequencies emitted beside -> glowing heat opacity temperatures table glow beside emitted
+        | otherwise -> case gasFrequencies (gasAround g) r py (segmentMomentum segment) of
+          Frequencies emitted beside -> glowing heat opacity temperatures table glow beside emitted
     -- The frequencies over that at infinity for the observer at rest beside the gas
     -- (around a rotating hole, the one without angular momentum), and for the gas.
     glowing !heat !opacity !temperatures !table glow !static !emitted =
@@ -219,6 +194,6 @@ gatherParity disk gathered segment
   | abs y > diskThickness disk || r > diskOuterRadius disk = Continue gathered
   | otherwise = onward (pass 10 (if even blocks then Radiance 0 0 1 else Radiance 0 1 0) gathered)
   where
-    place@(XYZ x y z) = segmentMiddle segment
-    r = XYZ.norm place
+    XYZ x y z = segmentMiddle segment
+    r = segmentRadius segment
     blocks = round x + round y + round z :: Int

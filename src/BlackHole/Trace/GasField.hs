@@ -32,7 +32,7 @@ module BlackHole.Trace.GasField
   )
 where
 
-import BlackHole.Matter.GasMotion (keplerianRate)
+import BlackHole.Matter.GasFlow (patternRate)
 import BlackHole.Noise.CachedNoise (CachedNoise, cacheNoise, cachedPerlin3)
 import BlackHole.Noise.Lattice (clampedLevel)
 import BlackHole.Noise.Profile (normalised, octaves)
@@ -41,10 +41,8 @@ import BlackHole.Numeric.Angle (arcTangent2)
 import BlackHole.Numeric.Exponential (exponential, sineOfTurns)
 import BlackHole.Numeric.Floor (turnFraction)
 import BlackHole.Scene.Disk
-import BlackHole.Spacetime.Kerr.GasFlow (gasFlow, orbitalRate)
-import BlackHole.Spacetime.Kerr.Landmarks (Handedness (RightHanded), iscoRadius)
 import BlackHole.Spacetime.LightPath (halfHeightAt, regionInnerRadius)
-import BlackHole.Spacetime.Types (Spacetime (..))
+import BlackHole.Spacetime.Types (Spacetime)
 import BlackHole.Trace.Seeds
 import BlackHole.Trace.Tabulated
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
@@ -168,10 +166,7 @@ gasField space seed disk eye pixel samples =
       | diskTurbulenceHeat disk == 0 || diskArms disk == 0 = 0
       | otherwise = 0.25 * log (sum [exp (4 * diskTurbulenceHeat disk * armFluctuation (diskArmDepth disk) (sin (2 * pi * fromIntegral k / 256))) | k <- [1 .. 256 :: Int]] / 256)
     (first, second) = patterns (diskTime disk * rate inner / (2 * pi)) (2 * pi / rate inner)
-    -- Of circular orbits; inside the innermost stable one the pattern turns as there.
-    rate = case space of
-      Kerr hole -> orbitalRate (gasFlow hole) . max (iscoRadius RightHanded hole)
-      _ -> keplerianRate . max 3
+    rate = patternRate space
 
 -- | The same gas for another eye, size of a pixel and number of samples: the arguments
 -- of 'gasField' after the disk. The tables stay as they are, so this costs nothing.

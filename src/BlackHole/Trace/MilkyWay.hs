@@ -2,7 +2,6 @@
 -- one, behind dust. "BlackHole.Trace.RealSky" has the real one.
 module BlackHole.Trace.MilkyWay
   ( milkyWay,
-    milkyWayRings,
   )
 where
 

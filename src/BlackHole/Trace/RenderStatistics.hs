@@ -18,8 +18,10 @@ import BlackHole.Trace.Adaptive (pixelEstimate)
 import BlackHole.Trace.EnvironmentMap (EnvironmentMap)
 import BlackHole.Trace.Estimate (estimateCount)
 import BlackHole.Trace.Explain (gatheredAlong)
-import BlackHole.Trace.Pixel
+import BlackHole.Trace.Ray
+import BlackHole.Trace.Tracer
 import BlackHole.Vector.XY (XY (..))
+import BlackHole.Vector.XYZ (XYZ)
 import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Maybe (isNothing)
 
@@ -96,7 +98,7 @@ data Look = Look {lookRays :: !Int, lookSteps :: !Int, lookGas :: !Int, _lookEnd
 
 data End = Alike | Apart !Double | Otherwise
 
-apart :: Fate -> Fate -> End
+apart :: Fate XYZ -> Fate XYZ -> End
 apart (Escaped a) (Escaped b) = Apart (2 * asin (min 1 (0.5 * XYZ.norm (a XYZ.^-^ b))))
 apart a b
   -- A hidden path has no end to compare.

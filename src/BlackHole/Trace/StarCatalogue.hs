@@ -16,7 +16,6 @@ module BlackHole.Trace.StarCatalogue
     starMagnitude,
     starFlux,
     starTemperature,
-    magnitudeOfRank,
     fluxOfMagnitude,
   )
 where

@@ -8,7 +8,7 @@ import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Validate (renderProblem)
 import BlackHole.Trace.Explain
-import BlackHole.Trace.Pixel (tracer)
+import BlackHole.Trace.Tracer (tracer)
 import Data.Foldable (for_)
 import Data.List (isInfixOf)
 import Test.Hspec

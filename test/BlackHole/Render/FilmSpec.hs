@@ -12,7 +12,7 @@ import BlackHole.Scene.Scene
 import BlackHole.Scene.Sky (Sky (..))
 import BlackHole.Trace.Adaptive (pixelEstimate)
 import BlackHole.Trace.Estimate (estimateCount)
-import BlackHole.Trace.Pixel (tracer)
+import BlackHole.Trace.Tracer (tracer)
 import qualified Data.Vector.Storable as Vector
 import Data.Word (Word8)
 import Support.Exposing

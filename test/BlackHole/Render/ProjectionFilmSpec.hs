@@ -12,7 +12,8 @@ import BlackHole.Scene.Setting
 import BlackHole.Scene.Sky
 import BlackHole.Scene.Validate
 import BlackHole.Spacetime.Observer
-import BlackHole.Trace.Pixel
+import BlackHole.Trace.Ray
+import BlackHole.Trace.Tracer
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ

@@ -8,7 +8,8 @@ import BlackHole.Scene.Sky
 import BlackHole.Spacetime.Types (Spacetime (..))
 import BlackHole.Trace.Adaptive
 import BlackHole.Trace.Estimate
-import BlackHole.Trace.Pixel
+import BlackHole.Trace.PhotonRing
+import BlackHole.Trace.Tracer
 import BlackHole.Vector.XY (XY (..))
 import Control.Monad (forM_)
 import Data.Maybe (isJust)

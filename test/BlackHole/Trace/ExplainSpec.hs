@@ -13,7 +13,7 @@ import BlackHole.Spacetime.Fate
 import BlackHole.Spacetime.Observer
 import BlackHole.Spacetime.Photon (angularMomentum)
 import BlackHole.Trace.Explain
-import BlackHole.Trace.Pixel
+import BlackHole.Trace.Tracer
 import BlackHole.Vector.XY (XY (..))
 import qualified BlackHole.Vector.XYZ as XYZ
 import Control.Monad (forM_)

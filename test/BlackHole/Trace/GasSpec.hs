@@ -10,9 +10,11 @@ import BlackHole.Scene.Shifts
 import BlackHole.Scene.Sky
 import BlackHole.Spacetime.LightPath
 import BlackHole.Spacetime.Observer
+import BlackHole.Spacetime.Photon
 import BlackHole.Spacetime.Types
 import BlackHole.Trace.Gas
-import BlackHole.Trace.Pixel
+import BlackHole.Trace.Ray
+import BlackHole.Trace.Tracer
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ (..))
 import Support.Approx
@@ -51,7 +53,7 @@ spec = do
   describe "opacity" $
     it "ends the path beyond 99 %" $ do
       let thick = gatherGas (gas Schwarzschild 0 (Shifts True True) smooth {diskOpacity = 1e4} (XYZ 0 0 20) 1e-3 1) 1
-      case thick nothingYet (PathSegment (XYZ 2.5 0 0) (XYZ 0 (-1) 0) 0.1) of
+      case thick nothingYet (planarSegment (Photon (XYZ 2.5 0 0) (XYZ 0 (-1) 0)) 0.1) of
         Stop gathered -> gatheredTransmittance gathered `shouldSatisfy` (< opaqueEnough)
         Continue _ -> expectationFailure "the path goes on"
   where

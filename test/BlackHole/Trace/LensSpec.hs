@@ -13,7 +13,8 @@ import BlackHole.Scene.Validate
 import BlackHole.Spacetime.Observer
 import BlackHole.Spacetime.Photon
 import BlackHole.Spacetime.Types
-import BlackHole.Trace.Pixel
+import BlackHole.Trace.Ray
+import BlackHole.Trace.Tracer
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ ((*^), (^+^), (^-^))
 import qualified BlackHole.Vector.XYZ as XYZ

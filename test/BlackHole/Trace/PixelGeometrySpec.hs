@@ -1,17 +1,19 @@
 module BlackHole.Trace.PixelGeometrySpec (spec) where
 
+import BlackHole.Matter.GasFlow
 import BlackHole.Matter.Redshift
 import BlackHole.Numeric.Angle (Degrees (..))
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Disk
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene
+import BlackHole.Spacetime.Follow
 import BlackHole.Spacetime.Observer
 import BlackHole.Spacetime.Photon
+import BlackHole.Spacetime.PlaneCrossing
 import BlackHole.Spacetime.Types
-import BlackHole.Trace.Pixel
 import BlackHole.Trace.PixelGeometry
-import BlackHole.Trace.PlaneCrossing
+import BlackHole.Trace.Tracer
 import BlackHole.Vector.XY (XY (..))
 import qualified BlackHole.Vector.XYZ as XYZ
 import Control.Monad (forM_, void)
@@ -26,9 +28,9 @@ spec = do
     -- Of no angular momentum about the axis: ν_em is E∞ u^t.
     let hits = [hit | Just look <- [pixelGeometry faceOn], (x, y) <- pixels faceOn, Just hit <- [geometryDiskHit (look x y)]]
     length hits `shouldSatisfy` (> 1000)
-    minimum (map hitRadius hits) `shouldSatisfy` (\r -> r >= 3 && r < 3.3)
-    maximum (map hitRadius hits) `shouldSatisfy` (\r -> r <= 16 && r > 15.7)
-    forM_ hits $ \(DiskHit r g) -> g `shouldBeWithin` (1e-7, sqrt (1 - 1.5 / r) / sqrt (1 - 1 / 30))
+    minimum (map crossingRadius hits) `shouldSatisfy` (\r -> r >= 3 && r < 3.3)
+    maximum (map crossingRadius hits) `shouldSatisfy` (\r -> r <= 16 && r > 15.7)
+    forM_ hits $ \(PlaneCrossing r _ g) -> g `shouldBeWithin` (1e-7, sqrt (1 - 1.5 / r) / sqrt (1 - 1 / 30))
   it "is the same on both sides of a picture from the axis" $
     case pixelGeometry faceOn of
       Nothing -> expectationFailure "no camera"
@@ -36,7 +38,7 @@ spec = do
         forM_ [look (63 - x) y, look x (35 - y)] $ \mirrored -> do
           let here = look x y
           void (geometryDiskHit here) `shouldBe` void (geometryDiskHit mirrored)
-          maybe 0 hitRadius (geometryDiskHit here) `shouldBeWithin` (1e-6, maybe 0 hitRadius (geometryDiskHit mirrored))
+          maybe 0 crossingRadius (geometryDiskHit here) `shouldBeWithin` (1e-6, maybe 0 crossingRadius (geometryDiskHit mirrored))
   it "is deflected as the orbit integrated by brute force" $ do
     angles <- concat <$> mapM compared [faceOn, tilted, ringClose]
     length angles `shouldSatisfy` (> 1500)
@@ -81,11 +83,12 @@ spec = do
       _ -> pure []
     againstCrossings scene look traced pixel = do
       let inDisk crossing = maybe False (\disk -> crossingRadius crossing >= diskInnerRadius disk && crossingRadius crossing <= diskOuterRadius disk) (sceneDisk scene)
-          expected = tracedSight traced (middle pixel) >>= find inDisk . planeCrossings scene
+          closed = tracing (sceneSpacetime scene) InClosedForm 1
+          expected = tracedSight traced (middle pixel) >>= find inDisk . planeCrossings closed
       case (geometryDiskHit (uncurry look pixel), expected) of
-        (Just (DiskHit r g), Just crossing) -> do
+        (Just (PlaneCrossing r _ g), Just crossing) -> do
           r `shouldBeWithin` (1e-4, crossingRadius crossing)
-          forM_ (crossingShift crossing) $ \shift -> g `shouldBeWithin` (1e-5, redshiftGravitational shift * redshiftDoppler shift)
+          forM_ (tracedSight traced (middle pixel) >>= \sight -> crossingRedshift (gasFlow (sceneSpacetime scene)) sight crossing) $ \shift -> g `shouldBeWithin` (1e-5, redshiftFactor shift)
           pure [r]
         (Nothing, Nothing) -> pure []
         other -> [] <$ expectationFailure (show (pixel, other))

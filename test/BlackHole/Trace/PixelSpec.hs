@@ -10,7 +10,9 @@ import BlackHole.Scene.Sky
 import BlackHole.Spacetime.LightPath
 import BlackHole.Spacetime.Observer
 import BlackHole.Spacetime.Types
-import BlackHole.Trace.Pixel
+import BlackHole.Trace.PhotonRing
+import BlackHole.Trace.Ray
+import BlackHole.Trace.Tracer
 import BlackHole.Vector.XY (XY (..))
 import Control.Exception (evaluate)
 import Data.Int (Int64)

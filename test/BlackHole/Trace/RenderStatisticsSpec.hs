@@ -6,8 +6,8 @@ import BlackHole.Scene.Scene
 import BlackHole.Trace.Adaptive (pixelEstimate)
 import BlackHole.Trace.Estimate (estimateCount)
 import BlackHole.Trace.Explain
-import BlackHole.Trace.Pixel (tracer)
 import BlackHole.Trace.RenderStatistics
+import BlackHole.Trace.Tracer (tracer)
 import Test.Hspec
 
 spec :: Spec

@@ -4,7 +4,7 @@ module BlackHole.Trace.StarFieldSpec (spec) where
 
 import BlackHole.Light.Radiance
 import BlackHole.Noise.PerlinG (Seed (..))
-import BlackHole.Spacetime.Schwarzschild.Orbit (deflectionAngle)
+import BlackHole.Spacetime.Schwarzschild.Deflection
 import BlackHole.Trace.RayDifferential
 import BlackHole.Trace.StarCatalogue
 import BlackHole.Trace.StarField

@@ -44,12 +44,16 @@ animate options = case (animateStatus options, formatOf (framePatternOf options)
     problems -> complainAll UsageError problems
   (_, Nothing) -> complainAll UsageError [unknownExtensionOf (framePatternOf options)]
   (_, Just format)
-    | problems@(_ : _) <- codingProblem format (animateCoding options) -> complainAll UsageError problems
+    | problems@(_ : _) <- codingProblem format (animateCoding options) ->
+      complainAll UsageError problems
     | otherwise -> do
       loaded <- loadAnimation (animateScene options)
       case (loaded, animateOrbit options) of
         (Left problems, _) -> BadInput <$ mapM_ say problems
-        (Right (Left _), Nothing) -> complain BadInput "animate needs a scene file with a section animation, or --orbit DEGREES (see: blackhole help animation)"
+        (Right (Left _), Nothing) ->
+          complain
+            BadInput
+            "animate needs a scene file with a section animation, or --orbit DEGREES (see: blackhole help animation)"
         (Right (Left scene), Just _) -> whenPossible options format (stillAnimation scene)
         (Right (Right animation), _) -> whenPossible options format animation
 
@@ -58,7 +62,11 @@ animate options = case (animateStatus options, formatOf (framePatternOf options)
 whenPossible :: AnimateOptions -> Format -> Animation -> IO ExitStatus
 whenPossible options format given = do
   clashes <- animationClashes options animation
-  lacking <- memoryProblem (Making (Frame format) (shutterOpen (animationShutter animation) > 0) False) scene (pictureHeight (scenePicture scene))
+  lacking <-
+    memoryProblem
+      (Making (Frame format) (shutterOpen (animationShutter animation) > 0) False)
+      scene
+      (pictureHeight (scenePicture scene))
   case (clashes, lacking) of
     (_ : _, _) -> UsageError <$ mapM_ say clashes
     (_, Just line) -> complain BadInput line
@@ -88,16 +96,35 @@ renderFrames options format animation sky = do
   environment <- getEnvironment
   coder <- findCoder
   when (animationFrames animation > 20000 && animationFrames animation <= maximumFrames) $
-    say ("an animation of " ++ show (animationFrames animation) ++ " frames, which are checked first")
+    say
+      ("an animation of " ++ show (animationFrames animation) ++ " frames, which are checked first")
   case plan options environment coder animation of
     Left (status, problems) -> status <$ mapM_ say problems
     Right (name, frames, video) -> inWorkers (animateThreads options) $ \workers -> do
       reporter <- newReporter mode
       let develop = pictureBytes workers software format (animateCoding options)
-      shot <- try (shoot (Shooting animation frames name (animatePatience options) workers video (skyFileImage <$> sky) text develop) (reportTo say reporter))
+      shot <-
+        try
+          ( shoot
+              ( Shooting
+                  animation
+                  frames
+                  name
+                  (animatePatience options)
+                  workers
+                  video
+                  (skyFileImage <$> sky)
+                  text
+                  develop
+              )
+              (reportTo say reporter)
+          )
       clearProgress reporter
       case shot of
-        Left refusal -> complain CannotWrite ("--output: the frames cannot be written: " ++ show (refusal :: IOException))
+        Left refusal ->
+          complain
+            CannotWrite
+            ("--output: the frames cannot be written: " ++ show (refusal :: IOException))
         Right done -> do
           -- In JSON, the last progress report is the summary.
           unless (reportQuiet reported || mode == JsonProgress) $ say (summaryLine done)
@@ -122,13 +149,24 @@ plan ::
   Either (ExitStatus, [String]) (FrameName, [Int], Maybe (FilePath, VideoCoding, FilePath))
 plan options environment coder animation = do
   refuse UsageError (map renderProblem (usageProblems options animation))
-  shard <- either (Left . (,) UsageError . pure . ("--shard: " ++)) Right (shardOf (animateShard options))
-  name <- either (Left . (,) UsageError . pure . (("--output: '" ++ output ++ "' is not ") ++)) Right (parseFrameName output)
+  shard <-
+    either
+      (Left . (,) UsageError . pure . ("--shard: " ++))
+      Right
+      (shardOf (animateShard options))
+  name <-
+    either
+      (Left . (,) UsageError . pure . (("--output: '" ++ output ++ "' is not ") ++))
+      Right
+      (parseFrameName output)
   refuse BadInput (map renderProblem (paceProblems options animation))
   refuse BadInput (map renderProblem (animationProblems animation))
   let frames = takeShard shard selected
   refuse BadInput (take maximumFaults (frameFaults animation frames))
-  video <- traverse coded [(coding, file) | Just file <- [animateVideo options], Just coding <- [videoCodingOf options]]
+  video <-
+    traverse
+      coded
+      [(coding, file) | Just file <- [animateVideo options], Just coding <- [videoCodingOf options]]
   Right (name, frames, listToMaybe video)
   where
     output = framePatternOf options
@@ -142,7 +180,11 @@ plan options environment coder animation = do
       Just (from, to) -> [from .. fromMaybe (animationFrames animation - 1) to]
     coded (coding, file) = case coder of
       Just program -> Right (program, coding, file)
-      Nothing -> Left (CannotWrite, ["--video: needs ffmpeg, which is not installed (on Debian and Ubuntu: apt-get install ffmpeg); nothing has been rendered"])
+      Nothing ->
+        Left
+          ( CannotWrite,
+            ["--video: needs ffmpeg, which is not installed (on Debian and Ubuntu: apt-get install ffmpeg); nothing has been rendered"]
+          )
 
 -- | Prints the state of the animations in a folder; 'Done' if all their frames are.
 showStatus :: Double -> FilePath -> IO ExitStatus
@@ -150,7 +192,13 @@ showStatus patience folder = do
   exists <- doesDirectoryExist folder
   statuses <- if exists then animationStatuses folder patience else pure []
   if null statuses
-    then complain BadInput ("--status: " ++ (if exists then "there is no animation in the folder " else "there is no folder ") ++ folder)
+    then
+      complain
+        BadInput
+        ( "--status: "
+            ++ (if exists then "there is no animation in the folder " else "there is no folder ")
+            ++ folder
+        )
     else
       printed
         (if all isComplete statuses then Done else Unfinished)

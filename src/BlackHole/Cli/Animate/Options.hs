@@ -78,28 +78,123 @@ animateOptions :: Parser AnimateOptions
 animateOptions =
   AnimateOptions
     <$> sceneOptions
-    <*> setting (strOption (long "output" <> short 'o' <> metavar "PATTERN" <> action "file" <> help "Files of the frames; %05d stands for the frame number (default: frames/%05d.png)"))
+    <*> setting
+      ( strOption
+          ( long "output" <> short 'o' <> metavar "PATTERN" <> action "file"
+              <> help
+                "Files of the frames; %05d stands for the frame number (default: frames/%05d.png)"
+          )
+      )
     <*> codingOptions
-    <*> setting (option number (long "orbit" <> metavar "DEGREES" <> help "Move the camera this far around the hole, about the disk's axis, instead of along the scene file's camera path; needs no scene file"))
-    <*> setting (option frameRange (long "frame-range" <> metavar "A-B" <> help "Render only these frames, counted from 0: A, A- or A-B"))
-    <*> setting (option number (long "fps" <> metavar "F" <> help "Frames per second; does not change the duration (default: the scene file's, or 24)"))
-    <*> setting (option number (long "duration" <> metavar "SECONDS" <> help "Duration of the animation (default: the scene file's, or 2)"))
-    <*> setting (option number (long "shutter" <> metavar "FRACTION" <> help "Motion blur: the fraction of the time between frames for which the shutter is open, 0 to 1 (default: the scene file's, or 0)"))
-    <*> setting (option wholeNumber (long "shutter-samples" <> metavar "N" <> help "Times averaged in each frame with an open shutter; rendering takes N times as long (default: the scene file's, or 8)"))
-    <*> setting (option shardChoice (long "shard" <> metavar "I/N|slurm" <> help "Render only every N-th frame, beginning with the I-th; slurm takes I and N from a Slurm array job"))
-    <*> setting (strOption (long "video" <> metavar "FILE" <> action "file" <> help ("Also make a video file of the frames with ffmpeg: " ++ intercalate ", " videoExtensions)))
-    <*> setting (option (named "a codec" videoCodecs) (long "codec" <> metavar "NAME" <> completeWith (map fst videoCodecs) <> help "Codec of the video file: h264, h265 or av1 for .mp4, vp9 or av1 for .webm (default: h264 or vp9)"))
-    <*> setting (option wholeNumber (long "crf" <> metavar "N" <> help "Constant rate factor of the video file: less is better and larger (default: 16 for h264, 18 for h265, 24 for vp9 and av1)"))
+    <*> setting
+      ( option
+          number
+          ( long "orbit" <> metavar "DEGREES"
+              <> help
+                "Move the camera this far around the hole, about the disk's axis, instead of along the scene file's camera path; needs no scene file"
+          )
+      )
+    <*> setting
+      ( option
+          frameRange
+          ( long "frame-range" <> metavar "A-B"
+              <> help "Render only these frames, counted from 0: A, A- or A-B"
+          )
+      )
+    <*> setting
+      ( option
+          number
+          ( long "fps" <> metavar "F"
+              <> help
+                "Frames per second; does not change the duration (default: the scene file's, or 24)"
+          )
+      )
+    <*> setting
+      ( option
+          number
+          ( long "duration" <> metavar "SECONDS"
+              <> help "Duration of the animation (default: the scene file's, or 2)"
+          )
+      )
+    <*> setting
+      ( option
+          number
+          ( long "shutter" <> metavar "FRACTION"
+              <> help
+                "Motion blur: the fraction of the time between frames for which the shutter is open, 0 to 1 (default: the scene file's, or 0)"
+          )
+      )
+    <*> setting
+      ( option
+          wholeNumber
+          ( long "shutter-samples" <> metavar "N"
+              <> help
+                "Times averaged in each frame with an open shutter; rendering takes N times as long (default: the scene file's, or 8)"
+          )
+      )
+    <*> setting
+      ( option
+          shardChoice
+          ( long "shard" <> metavar "I/N|slurm"
+              <> help
+                "Render only every N-th frame, beginning with the I-th; slurm takes I and N from a Slurm array job"
+          )
+      )
+    <*> setting
+      ( strOption
+          ( long "video" <> metavar "FILE" <> action "file"
+              <> help
+                ( "Also make a video file of the frames with ffmpeg: "
+                    ++ intercalate ", " videoExtensions
+                )
+          )
+      )
+    <*> setting
+      ( option
+          (named "a codec" videoCodecs)
+          ( long "codec" <> metavar "NAME" <> completeWith (map fst videoCodecs)
+              <> help
+                "Codec of the video file: h264, h265 or av1 for .mp4, vp9 or av1 for .webm (default: h264 or vp9)"
+          )
+      )
+    <*> setting
+      ( option
+          wholeNumber
+          ( long "crf" <> metavar "N"
+              <> help
+                "Constant rate factor of the video file: less is better and larger (default: 16 for h264, 18 for h265, 24 for vp9 and av1)"
+          )
+      )
     <*> threadsOption
-    <*> settingOr 120 (option number (long "stale-after" <> metavar "SECONDS" <> help "Take over a frame if the process on another machine that was rendering it has shown no sign of life for this long (default: 120)"))
-    <*> setting (strOption (long "status" <> metavar "DIR" <> action "directory" <> help "List the frames in a folder that are done, running, missing, outdated or damaged, instead of rendering; the exit code is 0 if all are done"))
+    <*> settingOr
+      120
+      ( option
+          number
+          ( long "stale-after" <> metavar "SECONDS"
+              <> help
+                "Take over a frame if the process on another machine that was rendering it has shown no sign of life for this long (default: 120)"
+          )
+      )
+    <*> setting
+      ( strOption
+          ( long "status" <> metavar "DIR" <> action "directory"
+              <> help
+                "List the frames in a folder that are done, running, missing, outdated or damaged, instead of rendering; the exit code is 0 if all are done"
+          )
+      )
     <*> reporting
 
 frameRange :: ReadM (Int, Maybe Int)
 frameRange = eitherReader $ \text -> case span isDigit text of
   (first, "") | Just n <- count first -> Right (n, Just n)
   (first, "-") | Just n <- count first -> Right (n, Nothing)
-  (first, '-' : final) | Just a <- count first, all isDigit final, Just b <- count final, a <= b -> Right (a, Just b)
+  (first, '-' : final)
+    | Just a <- count first,
+      all isDigit final,
+      Just b <-
+        count final,
+      a <= b ->
+      Right (a, Just b)
   _ -> Left ("'" ++ text ++ "' is not a range of frames: A, A- or A-B, counted from 0")
   where
     count digits
@@ -147,35 +242,61 @@ paceProblems options animation =
     | Just rate <- [animateRate options],
       not (rate >= 0.001 && rate <= 1000)
   ]
-    ++ [ Problem "--duration" (show seconds) ("a duration of 1 to " ++ show maximumFrames ++ " frames at " ++ show (animationRate animation) ++ " frames per second")
+    ++ [ Problem
+           "--duration"
+           (show seconds)
+           ( "a duration of 1 to " ++ show maximumFrames ++ " frames at "
+               ++ show (animationRate animation)
+               ++ " frames per second"
+           )
          | Just seconds <- [animateDuration options],
-           not (seconds > 0 && animationFrames animation >= 1 && animationFrames animation <= maximumFrames)
+           not
+             ( seconds > 0 && animationFrames animation >= 1
+                 && animationFrames animation <= maximumFrames
+             )
        ]
 
 -- | The other problems of the options, given the animation.
 usageProblems :: AnimateOptions -> Animation -> [Problem]
 usageProblems options animation =
-  [ Problem "--video" ("'" ++ file ++ "'") ("a file name that ends in one of " ++ intercalate ", " videoExtensions)
+  [ Problem
+      "--video"
+      ("'" ++ file ++ "'")
+      ("a file name that ends in one of " ++ intercalate ", " videoExtensions)
     | Just file <- [animateVideo options],
       Nothing <- [videoKind file]
   ]
     ++ concat
-      [ [Mistake "--video" "cannot be combined with --shard; make the video file in a run of all frames, which renders only those that are missing" | Just _ <- [animateShard options]]
-          ++ [Mistake "--video" ("needs frames in PNG files, not '" ++ pattern' ++ "'") | map toLower (takeExtension pattern') /= ".png"]
+      [ [ Mistake
+            "--video"
+            "cannot be combined with --shard; make the video file in a run of all frames, which renders only those that are missing"
+          | Just _ <- [animateShard options]
+        ]
+          ++ [ Mistake "--video" ("needs frames in PNG files, not '" ++ pattern' ++ "'")
+               | map toLower (takeExtension pattern') /= ".png"
+             ]
         | Just _ <- [animateVideo options]
       ]
     ++ foldMap videoCodingProblems (videoCodingOf options)
     ++ [ Mistake name "has no effect; it applies only with --video"
          | Nothing <- [animateVideo options],
-           (name, True) <- [("--codec", isJust (animateCodec options)), ("--crf", isJust (animateCrf options))]
+           (name, True) <-
+             [("--codec", isJust (animateCodec options)), ("--crf", isJust (animateCrf options))]
        ]
     ++ [ Mistake "--shutter-samples" "has no effect; it applies only with --shutter above 0"
          | shutterOpen (animationShutter animation) == 0,
            Just _ <- [animateShutterSamples options]
        ]
-    ++ foldMap (checkNumber "--orbit" ((<= 3.6e6) . abs) "an angle from -3600000 to 3600000 (degrees)") (animateOrbit options)
+    ++ foldMap
+      (checkNumber "--orbit" ((<= 3.6e6) . abs) "an angle from -3600000 to 3600000 (degrees)")
+      (animateOrbit options)
     ++ checkThreads (animateThreads options)
-    ++ [ Problem "--frame-range" (show from ++ maybe "" (\end -> if end == from then "" else '-' : show end) to) ("a range of frames of this animation, which are 0 to " ++ show (animationFrames animation - 1))
+    ++ [ Problem
+           "--frame-range"
+           (show from ++ maybe "" (\end -> if end == from then "" else '-' : show end) to)
+           ( "a range of frames of this animation, which are 0 to "
+               ++ show (animationFrames animation - 1)
+           )
          | Just (from, to) <- [animateFrames options],
            maximum (from : toList to) >= animationFrames animation
        ]
@@ -211,7 +332,9 @@ idleBesideStatus options =
           ("--progress", isJust (reportProgress (animateReporting options))),
           ("--stats", isJust (reportStats (animateReporting options)))
         ]
-          ++ [(maybe (settingPath s) fieldLabel (findField (settingPath s)), True) | s <- sceneGiven scene]
+          ++ [ (maybe (settingPath s) fieldLabel (findField (settingPath s)), True)
+               | s <- sceneGiven scene
+             ]
   ]
   where
     scene = animateScene options

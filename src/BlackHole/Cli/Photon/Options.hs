@@ -16,7 +16,7 @@ import BlackHole.Scene.Problem (Problem (..))
 import BlackHole.Scene.Scene (Integrator (..), integratorName)
 import BlackHole.Spacetime.Kerr.Landmarks (Spin, ergosphereRadius, spin)
 import BlackHole.Spacetime.Kerr.Sight
-import BlackHole.Spacetime.Schwarzschild.Leapfrog (StepRule (..), reportStepRule)
+import BlackHole.Spacetime.Schwarzschild.LeapfrogStep (StepRule (..), reportStepRule)
 import BlackHole.Spacetime.Schwarzschild.Trajectory
 import Data.Maybe (fromMaybe)
 import Options.Applicative
@@ -42,16 +42,85 @@ data PhotonOptions = PhotonOptions
 photonOptions :: Parser PhotonOptions
 photonOptions =
   PhotonOptions
-    <$> setting (option number (long "impact" <> metavar "B" <> help "Follow light from infinity with this impact parameter, in r_s"))
-    <*> setting (option number (long "distance" <> metavar "R" <> help ("Distance of the camera from the hole in r_s, with --psi (default: " ++ showDouble standardDistance ++ ")")))
-    <*> setting (option number (long "inclination" <> metavar "DEGREES" <> help ("Angle between the disk's axis and the camera, or the direction that the light goes to (default: " ++ showDouble standardInclination ++ ")")))
-    <*> setting (option number (long "spin" <> metavar "A" <> help "Spin of the hole, from -1 to 1, positive if it turns with the disk (default: 0)"))
-    <*> setting (option number (long "psi" <> metavar "DEGREES" <> help "Follow the line of sight at this angle from the direction of the hole's centre"))
-    <*> setting (option number (long "eta" <> metavar "DEGREES" <> help ("Position angle of the path about the hole's centre, from right towards up (default: " ++ showDouble standardEta ++ ")")))
-    <*> settingOr Exact (option (named "an integrator" [(integratorName i, i) | i <- [minBound ..]]) (long "integrator" <> metavar "NAME" <> completeWith (map integratorName [minBound ..]) <> help "How to follow the light: exact (closed form), table (as render does by default) or leapfrog; the latter two with their errors (default: exact)"))
-    <*> setting (option number (long "step" <> metavar "L" <> help "Base step length of the leapfrog in r_s (default: 0.1)"))
+    <$> setting
+      ( option
+          number
+          ( long "impact" <> metavar "B"
+              <> help "Follow light from infinity with this impact parameter, in r_s"
+          )
+      )
+    <*> setting
+      ( option
+          number
+          ( long "distance" <> metavar "R"
+              <> help
+                ( "Distance of the camera from the hole in r_s, with --psi (default: "
+                    ++ showDouble standardDistance
+                    ++ ")"
+                )
+          )
+      )
+    <*> setting
+      ( option
+          number
+          ( long "inclination" <> metavar "DEGREES"
+              <> help
+                ( "Angle between the disk's axis and the camera, or the direction that the light goes to (default: "
+                    ++ showDouble standardInclination
+                    ++ ")"
+                )
+          )
+      )
+    <*> setting
+      ( option
+          number
+          ( long "spin" <> metavar "A"
+              <> help
+                "Spin of the hole, from -1 to 1, positive if it turns with the disk (default: 0)"
+          )
+      )
+    <*> setting
+      ( option
+          number
+          ( long "psi" <> metavar "DEGREES"
+              <> help
+                "Follow the line of sight at this angle from the direction of the hole's centre"
+          )
+      )
+    <*> setting
+      ( option
+          number
+          ( long "eta" <> metavar "DEGREES"
+              <> help
+                ( "Position angle of the path about the hole's centre, from right towards up (default: "
+                    ++ showDouble standardEta
+                    ++ ")"
+                )
+          )
+      )
+    <*> settingOr
+      Exact
+      ( option
+          (named "an integrator" [(integratorName i, i) | i <- [minBound ..]])
+          ( long "integrator" <> metavar "NAME" <> completeWith (map integratorName [minBound ..])
+              <> help
+                "How to follow the light: exact (closed form), table (as render does by default) or leapfrog; the latter two with their errors (default: exact)"
+          )
+      )
+    <*> setting
+      ( option
+          number
+          ( long "step" <> metavar "L"
+              <> help "Base step length of the leapfrog in r_s (default: 0.1)"
+          )
+      )
     <*> toggle (long "json" <> help "Print JSON instead of a table")
-    <*> setting (strOption (long "path" <> metavar "FILE.csv" <> action "file" <> help "Also write the points of the path: swept angle, r, x, y, z"))
+    <*> setting
+      ( strOption
+          ( long "path" <> metavar "FILE.csv" <> action "file"
+              <> help "Also write the points of the path: swept angle, r, x, y, z"
+          )
+      )
     <*> toggle (long "quiet" <> short 'q' <> help "Do not report that the path is written")
 
 -- The camera of the default scene, and a line of sight to the right of the hole.
@@ -89,14 +158,47 @@ resolveRotating options s = case (problems, ray) of
   where
     problems =
       checkNumber "--spin" (\v -> abs v < 1) "a spin above -1 and below 1" s
-        ++ [Mistake "--impact" "applies only without --spin; a path around a rotating hole has no impact parameter" | Just _ <- [photonImpact options]]
-        ++ [Mistake "--psi" "missing; give --psi DEGREES for a line of sight" | Nothing <- [photonPsi options], Nothing <- [photonImpact options]]
-        ++ [Mistake "--integrator" (integratorName (photonIntegrator options) ++ " applies only without --spin") | photonIntegrator options /= Exact]
-        ++ [Mistake "--step" (showDouble l ++ " has no effect; it applies only with --integrator leapfrog") | Just l <- [photonStep options]]
-        ++ checkNumber "--distance" (\r -> r > 0.5 && r <= 1e6) "a distance outside the ergosphere and up to 1e6 (Schwarzschild radii)" distance
-        ++ foldMap (checkNumber "--psi" (\a -> a >= 0 && a <= 180) "an angle from 0 to 180 (degrees from the direction of the hole's centre)") (photonPsi options)
-        ++ checkNumber "--inclination" (\i -> i >= 0 && i <= 180) "an angle from 0 to 180 (degrees from the disk's axis)" inclination
-        ++ checkNumber "--eta" (\a -> abs a <= 360) "an angle from -360 to 360 (degrees from right towards up)" (fromMaybe standardEta (photonEta options))
+        ++ [ Mistake
+               "--impact"
+               "applies only without --spin; a path around a rotating hole has no impact parameter"
+             | Just _ <- [photonImpact options]
+           ]
+        ++ [ Mistake "--psi" "missing; give --psi DEGREES for a line of sight"
+             | Nothing <- [photonPsi options],
+               Nothing <- [photonImpact options]
+           ]
+        ++ [ Mistake
+               "--integrator"
+               (integratorName (photonIntegrator options) ++ " applies only without --spin")
+             | photonIntegrator options /= Exact
+           ]
+        ++ [ Mistake
+               "--step"
+               (showDouble l ++ " has no effect; it applies only with --integrator leapfrog")
+             | Just l <- [photonStep options]
+           ]
+        ++ checkNumber
+          "--distance"
+          (\r -> r > 0.5 && r <= 1e6)
+          "a distance outside the ergosphere and up to 1e6 (Schwarzschild radii)"
+          distance
+        ++ foldMap
+          ( checkNumber
+              "--psi"
+              (\a -> a >= 0 && a <= 180)
+              "an angle from 0 to 180 (degrees from the direction of the hole's centre)"
+          )
+          (photonPsi options)
+        ++ checkNumber
+          "--inclination"
+          (\i -> i >= 0 && i <= 180)
+          "an angle from 0 to 180 (degrees from the disk's axis)"
+          inclination
+        ++ checkNumber
+          "--eta"
+          (\a -> abs a <= 360)
+          "an angle from -360 to 360 (degrees from right towards up)"
+          (fromMaybe standardEta (photonEta options))
         ++ pathNameProblems options
     distance = fromMaybe standardDistance (photonDistance options)
     inclination = fromMaybe standardInclination (photonInclination options)
@@ -105,11 +207,16 @@ resolveRotating options s = case (problems, ray) of
     eta = radians (fromMaybe standardEta (photonEta options))
     direction = Direction (negate (cos psi)) (negate (sin psi * sin eta)) (sin psi * cos eta)
     ray = case spin s of
-      Just hole -> maybe (Left (tooClose hole)) (Right . RotatingTask hole) (lightRay hole (Place distance (radians inclination)) AtRest direction)
+      Just hole ->
+        maybe
+          (Left (tooClose hole))
+          (Right . RotatingTask hole)
+          (lightRay hole (Place distance (radians inclination)) AtRest direction)
       Nothing -> Left (Problem "--spin" (showDouble s) "a spin above -1 and below 1")
     tooClose hole =
       Problem "--distance" (showDouble distance) $
-        "a distance above " ++ showDouble (ergosphereRadius hole (cos (radians inclination))) ++ ", outside the ergosphere (Schwarzschild radii)"
+        "a distance above " ++ showDouble (ergosphereRadius hole (cos (radians inclination)))
+          ++ ", outside the ergosphere (Schwarzschild radii)"
 
 -- | The path around a hole that does not rotate.
 resolvePlanar :: PhotonOptions -> Either [Problem] PhotonTask
@@ -121,12 +228,32 @@ resolvePlanar options = case (problems, trajectory, method) of
     (startProblems, trajectory) = case (photonImpact options, photonPsi options) of
       (Just b, Nothing)
         | Nothing <- photonDistance options ->
-          (checkNumber "--impact" (\v -> v >= 0 && v <= 1e6) "a length from 0 to 1e6 (Schwarzschild radii)" b, Just (trajectoryFromInfinity sight b))
+          ( checkNumber
+              "--impact"
+              (\v -> v >= 0 && v <= 1e6)
+              "a length from 0 to 1e6 (Schwarzschild radii)"
+              b,
+            Just (trajectoryFromInfinity sight b)
+          )
       (Just _, _) -> ([Mistake "--impact" "cannot be combined with --psi or --distance"], Nothing)
-      (Nothing, Nothing) -> ([Mistake "--psi" "missing; give --psi DEGREES for a line of sight, or --impact B for light from infinity"], Nothing)
+      (Nothing, Nothing) ->
+        ( [ Mistake
+              "--psi"
+              "missing; give --psi DEGREES for a line of sight, or --impact B for light from infinity"
+          ],
+          Nothing
+        )
       (Nothing, Just angle) ->
-        ( checkNumber "--distance" (\r -> r > 1 && r <= 1e6) "a distance above 1 and up to 1e6 (Schwarzschild radii)" distance
-            ++ checkNumber "--psi" (\a -> a >= 0 && a <= 180) "an angle from 0 to 180 (degrees from the direction of the hole's centre)" angle,
+        ( checkNumber
+            "--distance"
+            (\r -> r > 1 && r <= 1e6)
+            "a distance above 1 and up to 1e6 (Schwarzschild radii)"
+            distance
+            ++ checkNumber
+              "--psi"
+              (\a -> a >= 0 && a <= 180)
+              "an angle from 0 to 180 (degrees from the direction of the hole's centre)"
+              angle,
           trajectoryFromCamera sight distance (toRadians (Degrees angle))
         )
     distance = fromMaybe standardDistance (photonDistance options)
@@ -134,20 +261,49 @@ resolvePlanar options = case (problems, trajectory, method) of
     eta = fromMaybe standardEta (photonEta options)
     sight = Sight (toRadians (Degrees inclination)) (toRadians (Degrees eta))
     sightProblems =
-      checkNumber "--inclination" (\i -> i >= 0 && i <= 180) "an angle from 0 to 180 (degrees from the disk's axis)" inclination
-        ++ checkNumber "--eta" (\a -> abs a <= 360) "an angle from -360 to 360 (degrees from right towards up)" eta
+      checkNumber
+        "--inclination"
+        (\i -> i >= 0 && i <= 180)
+        "an angle from 0 to 180 (degrees from the disk's axis)"
+        inclination
+        ++ checkNumber
+          "--eta"
+          (\a -> abs a <= 360)
+          "an angle from -360 to 360 (degrees from right towards up)"
+          eta
     (methodProblems, method) = case (photonIntegrator options, photonStep options) of
-      (Leapfrogging, Just l) -> (checkNumber "--step" (\v -> v >= 1e-5 && v <= 10) "a length from 0.00001 to 10 (Schwarzschild radii)" l, Just (Leapfrog (ReportSteps l reportWidth)))
-      (_, Just l) -> ([Mistake "--step" (showDouble l ++ " has no effect; it applies only with --integrator leapfrog")], Nothing)
+      (Leapfrogging, Just l) ->
+        ( checkNumber
+            "--step"
+            (\v -> v >= 1e-5 && v <= 10)
+            "a length from 0.00001 to 10 (Schwarzschild radii)"
+            l,
+          Just (Leapfrog (ReportSteps l reportWidth))
+        )
+      (_, Just l) ->
+        ( [ Mistake
+              "--step"
+              (showDouble l ++ " has no effect; it applies only with --integrator leapfrog")
+          ],
+          Nothing
+        )
       (Leapfrogging, Nothing) -> ([], Just (Leapfrog reportStepRule))
       (Exact, Nothing) -> ([], Just ClosedForm)
       (Tabulated, Nothing) -> case photonPsi options of
-        Just angle -> ([], FromTable <$> trajectoryFromTable sight distance (toRadians (Degrees angle)))
-        Nothing -> ([Mistake "--integrator" "table applies only with --psi; it holds the paths that start at the camera's distance"], Nothing)
+        Just angle ->
+          ([], FromTable <$> trajectoryFromTable sight distance (toRadians (Degrees angle)))
+        Nothing ->
+          ( [ Mistake
+                "--integrator"
+                "table applies only with --psi; it holds the paths that start at the camera's distance"
+            ],
+            Nothing
+          )
     -- The thickness of the disk in the step rule of the design report.
     reportWidth = case reportStepRule of
       ReportSteps _ w -> w
       EqualSteps _ -> 0.01
 
 pathNameProblems :: PhotonOptions -> [Problem]
-pathNameProblems options = [Problem "--path" "an empty name" "the name of a file" | photonPath options == Just ""]
+pathNameProblems options =
+  [Problem "--path" "an empty name" "the name of a file" | photonPath options == Just ""]

@@ -18,9 +18,14 @@ photon options = case resolvePhoton options of
     start <- getMonotonicTime
     let outcome = photonOutcome task
         points = show (length (outcomePoints outcome)) ++ " points"
-    written <- maybe (pure (Right ())) (`writeFileAtomically` outcomeCsv outcome) (photonPath options)
+    written <-
+      maybe
+        (pure (Right ()))
+        (`writeFileAtomically` outcomeCsv outcome)
+        (photonPath options)
     case written of
       Left problem -> complain CannotWrite ("--path: " ++ renderWriteProblem problem)
       Right () -> do
-        unless (photonQuiet options) $ mapM_ (\file -> succeeded start file points) (photonPath options)
+        unless (photonQuiet options) $
+          mapM_ (\file -> succeeded start file points) (photonPath options)
         printed Done (outcomeText (photonJson options) outcome)

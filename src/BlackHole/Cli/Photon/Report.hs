@@ -11,10 +11,10 @@ where
 import BlackHole.Cli.Json
 import BlackHole.Cli.Photon.Options
 import BlackHole.Cli.TextTable
-import BlackHole.Spacetime.Kerr.Path (KerrFate (Escapes))
-import qualified BlackHole.Spacetime.Kerr.Path as Kerr
-import BlackHole.Spacetime.Kerr.PathReport
-import BlackHole.Spacetime.PathReport
+import BlackHole.Matter.KerrReport
+import BlackHole.Matter.PathReport
+import BlackHole.Spacetime.Fate
+import BlackHole.Spacetime.PlaneCrossing
 import BlackHole.Spacetime.Schwarzschild.Trajectory
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ
@@ -58,11 +58,21 @@ outcomeText json outcome
            ]
     RotatingOutcome report -> rotatingMembers report
   | otherwise = case outcome of
-    ExactOutcome report -> table [[name, content, unitOf name] | (name, content) <- rows report] ++ legend report
-    ComparedOutcome name report exact ->
-      table (["", name, "exact", "error", ""] : besides (rows report) (rows exact) (flatten (differenceMembers (reportDifference report exact))))
+    ExactOutcome report ->
+      table [[name, content, unitOf name] | (name, content) <- rows report]
         ++ legend report
-    RotatingOutcome report -> table [[name, content, unitOf name] | (name, content) <- flatten (rotatingMembers report)] ++ legendOf (not (null (kerrReportCrossings report)))
+    ComparedOutcome name report exact ->
+      table
+        ( ["", name, "exact", "error", ""] :
+          besides
+            (rows report)
+            (rows exact)
+            (flatten (differenceMembers (reportDifference report exact)))
+        )
+        ++ legend report
+    RotatingOutcome report ->
+      table [[name, content, unitOf name] | (name, content) <- flatten (rotatingMembers report)]
+        ++ legendOf (not (null (kerrReportCrossings report)))
   where
     rows = flatten . reportMembers
     besides own exact errors =
@@ -72,7 +82,10 @@ outcomeText json outcome
     cell name = fromMaybe "-" . lookup name
     table cells = unlines (tableLines (repeat LeftAligned) (map Cells cells))
     legend report =
-      unlines ["", "r_s is the Schwarzschild radius 2GM/c^2. A drift is relative to the value at the start."]
+      unlines
+        [ "",
+          "r_s is the Schwarzschild radius 2GM/c^2. A drift is relative to the value at the start."
+        ]
         ++ legendOf (not (null (reportCrossings report)))
     legendOf crosses =
       unlines
@@ -88,7 +101,7 @@ outcomeText json outcome
 
 reportMembers :: PathReport -> [(String, Json)]
 reportMembers report =
-  [ ("fate", Text (reportFate report)),
+  [ ("fate", Text (fateName (reportFate report))),
     ("impactParameter", maybeNumber (reportImpactParameter report)),
     ("sweptAngle", maybeNumber (reportSweptAngle report)),
     ("deflection", maybeNumber (reportDeflection report)),
@@ -101,24 +114,18 @@ reportMembers report =
 
 rotatingMembers :: KerrReport -> [(String, Json)]
 rotatingMembers report =
-  [ ("fate", Text fate),
+  [ ("fate", Text (fateName (kerrReportFate report))),
     ("lambda", Number (kerrReportLambda report)),
     ("carterQ", Number (kerrReportCarter report)),
     ("minoTime", Number (kerrReportMinoTime report)),
     ("frequency", Number (kerrReportObserved report)),
     ("escapeDirection", direction),
-    ( "crossings",
-      List
-        [ Object [("r", Number r), ("azimuth", Number azimuth), ("g", Number g)]
-          | KerrCrossing r azimuth g <- kerrReportCrossings report
-        ]
-    )
+    ("crossings", crossingList (kerrReportCrossings report))
   ]
   where
-    (fate, direction) = case kerrReportFate report of
-      Escapes (XYZ x y z) -> ("escaped", List [Number x, Number y, Number z])
-      Kerr.Captured -> ("captured", Null)
-      Kerr.Circles -> ("circles", Null)
+    direction = case kerrReportFate report of
+      Escaped (XYZ x y z) -> List [Number x, Number y, Number z]
+      _ -> Null
 
 differenceMembers :: PathDifference -> [(String, Json)]
 differenceMembers difference =
@@ -131,11 +138,11 @@ differenceMembers difference =
     ("energyDrift", maybeNumber (differenceEnergyDrift difference))
   ]
 
-crossingList :: [Crossing] -> Json
+crossingList :: [PlaneCrossing Double] -> Json
 crossingList crossings =
   List
     [ Object [("r", Number r), ("azimuth", Number azimuth), ("g", Number g)]
-      | Crossing r azimuth g <- crossings
+      | PlaneCrossing r azimuth g <- crossings
     ]
 
 maybeNumber :: Maybe Double -> Json
@@ -146,8 +153,13 @@ flatten :: [(String, Json)] -> [(String, String)]
 flatten = concatMap (uncurry rows)
   where
     rows name json = case json of
-      List items -> concat (zipWith (\n item -> rows (spaced name ++ " " ++ show n) item) [1 :: Int ..] items)
-      Object members -> concatMap (\(key, member) -> rows (singular name ++ ", " ++ key) member) members
+      List items ->
+        concat
+          (zipWith (\n item -> rows (spaced name ++ " " ++ show n) item) [1 :: Int ..] items)
+      Object members ->
+        concatMap
+          (\(key, member) -> rows (singular name ++ ", " ++ key) member)
+          members
       Text s -> [(spaced name, s)]
       Number d -> [(spaced name, showDouble d)]
       Whole n -> [(spaced name, show n)]
@@ -171,12 +183,15 @@ outcomePoints :: PhotonOutcome -> [PathPoint]
 outcomePoints outcome = case outcome of
   ExactOutcome report -> reportPath report
   ComparedOutcome _ report _ -> reportPath report
-  RotatingOutcome report -> [PathPoint time place | KerrPathPoint time place <- kerrReportPath report]
+  RotatingOutcome report ->
+    [PathPoint time place | KerrPathPoint time place <- kerrReportPath report]
 
 -- | The points of the path as CSV: swept angle in radians (around a rotating hole, Mino
 -- time), and radius and position in Schwarzschild radii.
 outcomeCsv :: PhotonOutcome -> Lazy.ByteString
-outcomeCsv outcome = Builder.toLazyByteString (foldMap line (heading : map row (outcomePoints outcome)))
+outcomeCsv outcome =
+  Builder.toLazyByteString
+    (foldMap line (heading : map row (outcomePoints outcome)))
   where
     heading = [parameter, "r", "x", "y", "z"]
     parameter = case outcome of

@@ -47,19 +47,46 @@ renderOptions :: Parser RenderOptions
 renderOptions =
   RenderOptions
     <$> sceneOptions
-    <*> setting (strOption (long "from" <> metavar "PICTURE" <> filesEnding (map fst formatExtensions) <> help "Start from the scene stored in a picture that this program wrote"))
+    <*> setting
+      ( strOption
+          ( long "from" <> metavar "PICTURE" <> filesEnding (map fst formatExtensions)
+              <> help "Start from the scene stored in a picture that this program wrote"
+          )
+      )
     <*> codingOptions
     <*> toggle (long "preview" <> help "Draw the picture in the terminal instead of writing a file")
     <*> threadsOption
-    <*> setting (option pixelPlace (long "pixel" <> metavar "X,Y" <> help "Explain the colour of one pixel instead of rendering; 0,0 is the top left"))
-    <*> setting (option tilePart (long "tile" <> metavar "I/N" <> help "Render part I of N, a band of rows, to a tile file (-o FILE.tile) for blackhole join"))
+    <*> setting
+      ( option
+          pixelPlace
+          ( long "pixel" <> metavar "X,Y"
+              <> help "Explain the colour of one pixel instead of rendering; 0,0 is the top left"
+          )
+      )
+    <*> setting
+      ( option
+          tilePart
+          ( long "tile" <> metavar "I/N"
+              <> help
+                "Render part I of N, a band of rows, to a tile file (-o FILE.tile) for blackhole join"
+          )
+      )
     <*> runOptions
-    <*> setting (strOption (long "output" <> short 'o' <> metavar "FILE" <> action "file" <> help "File to write: .png, .jpg, .tif, .hdr or .exr; - writes a PNG to standard output (default: blackhole.png)"))
+    <*> setting
+      ( strOption
+          ( long "output" <> short 'o' <> metavar "FILE" <> action "file"
+              <> help
+                "File to write: .png, .jpg, .tif, .hdr or .exr; - writes a PNG to standard output (default: blackhole.png)"
+          )
+      )
 
 -- | The problems of the options that do not depend on the scene.
 renderUsageProblems :: RenderOptions -> [Problem]
 renderUsageProblems options =
-  (if null (renderTile options) then [unknownExtensionOf output | Nothing <- [outputFormat output]] else tileNameProblems output)
+  ( if null (renderTile options)
+      then [unknownExtensionOf output | Nothing <- [outputFormat output]]
+      else tileNameProblems output
+  )
     ++ checkThreads (renderThreads options)
     ++ idleRenderOptions options
     ++ [ Mistake "--from" "cannot be combined with a scene file"
@@ -89,7 +116,10 @@ idleRenderOptions options =
         ("--stats", isJust (reportStats reported), [pixel, previewed]),
         ("--strict", runStrict how, [pixel, previewed]),
         ("--keep-partial", runKeepPartial how, [pixel, previewed, tile]),
-        ("--preset", isJust (scenePreset (renderScene options)), [("--from", isJust (renderFrom options))])
+        ( "--preset",
+          isJust (scenePreset (renderScene options)),
+          [("--from", isJust (renderFrom options))]
+        )
       ]
     pixel = ("--pixel", isJust (renderPixel options))
     previewed = ("--preview", renderPreview options)

@@ -30,7 +30,7 @@ import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
 import BlackHole.Trace.EnvironmentMap (EnvironmentMap)
 import BlackHole.Trace.Explain (explainPixel)
-import BlackHole.Trace.Pixel (tracerWithSky)
+import BlackHole.Trace.Tracer (tracerWithSky)
 import Control.Monad ((>=>))
 import Data.List.NonEmpty (NonEmpty (..))
 import GHC.Clock (getMonotonicTime)
@@ -49,9 +49,15 @@ render options
         [] -> underSky scene (explain scene pixel . fmap skyFileImage)
         problems -> complainAll BadInput problems
       | renderPreview options =
-        underSky scene (\sky -> inWorkers (renderThreads options) (preview (skyFileImage <$> sky) scene))
+        underSky
+          scene
+          (\sky -> inWorkers (renderThreads options) (preview (skyFileImage <$> sky) scene))
       | Just part <- renderTile options = case tileProblems part (scenePicture scene) of
-        _ | not (null others) -> complain BadInput "--tile: a picture with motion blur cannot be rendered in tiles"
+        _
+          | not (null others) ->
+            complain
+              BadInput
+              "--tile: a picture with motion blur cannot be rendered in tiles"
         [] -> renderTileFile options scene part
         problems -> complainAll UsageError problems
       | otherwise = case outputFormat (renderTarget options) of
@@ -66,10 +72,21 @@ renderPicture options format coding scenes@(scene :| others) =
   withWork options making scene rows $ \sky workers ->
     tracing how (skyFileImage <$> sky) workers scenes (0, rows) output $ \traced ->
       let film = tracedFilm traced
-          encoder = pictureEncoder workers software format coding scenes (pure . countsRow scene film)
-       in finishing options (skyFileImage <$> sky) workers scene (0, tracedRows traced) traced $ case encoder of
-            Nothing -> complain CannotWrite (noRoom output)
-            Just encode -> storeBy output (toHandle >=> encode (pure . filmRows (exposedLight film)))
+          encoder =
+            pictureEncoder
+              workers
+              software
+              format
+              coding
+              scenes
+              (pure . countsRow scene film)
+       in finishing options (skyFileImage <$> sky) workers scene (0, tracedRows traced) traced $
+            case encoder of
+              Nothing -> complain CannotWrite (noRoom output)
+              Just encode ->
+                storeBy
+                  output
+                  (toHandle >=> encode (pure . filmRows (exposedLight film)))
   where
     making = Making (WholePicture format) (not (null others)) (runKeepPartial how)
     rows = pictureHeight (scenePicture scene)
@@ -92,7 +109,13 @@ renderTileFile options scene part =
     how = renderRun options
 
 -- | Checks that a picture can be written, and continues with the sky and the workers.
-withWork :: RenderOptions -> Making -> Scene -> Int -> (Maybe SkyFile -> Workers -> IO ExitStatus) -> IO ExitStatus
+withWork ::
+  RenderOptions ->
+  Making ->
+  Scene ->
+  Int ->
+  (Maybe SkyFile -> Workers -> IO ExitStatus) ->
+  IO ExitStatus
 withWork options making scene rows action =
   whenWritable writing (underSky scene (inWorkers (renderThreads options) . action))
   where
@@ -101,7 +124,9 @@ withWork options making scene rows action =
         { writingMaking = making,
           writingScene = scene,
           writingRows = rows,
-          writingInputs = sceneInputs (renderScene options) scene ++ [("--from", from) | Just from <- [renderFrom options]],
+          writingInputs =
+            sceneInputs (renderScene options) scene
+              ++ [("--from", from) | Just from <- [renderFrom options]],
           writingOutput = renderTarget options,
           writingReporting = runReporting (renderRun options)
         }
@@ -109,7 +134,15 @@ withWork options making scene rows action =
 -- | Writes a file from a film by the last argument, unless @--strict@ forbids it, and
 -- reports success and statistics. The band consists of the first row and the number of
 -- finished rows.
-finishing :: RenderOptions -> Maybe EnvironmentMap -> Workers -> Scene -> (Int, Int) -> Traced -> IO ExitStatus -> IO ExitStatus
+finishing ::
+  RenderOptions ->
+  Maybe EnvironmentMap ->
+  Workers ->
+  Scene ->
+  (Int, Int) ->
+  Traced ->
+  IO ExitStatus ->
+  IO ExitStatus
 finishing options sky workers scene band traced write = do
   start <- subtract (tracedSeconds traced) <$> getMonotonicTime
   faults <- warnOfFaults workers (fst band) (exposedLight (tracedFilm traced))
@@ -120,8 +153,26 @@ finishing options sky workers scene band traced write = do
       memory <- peakMemory
       if status == Done
         then do
-          pictureSucceeded reported start (renderTarget options) (pictureWidth (scenePicture scene), snd band)
-          storeStats reported (statsJson (Stats versionLine scene sky workers band (tracedSeconds traced) seconds memory faults))
+          pictureSucceeded
+            reported
+            start
+            (renderTarget options)
+            (pictureWidth (scenePicture scene), snd band)
+          storeStats
+            reported
+            ( statsJson
+                ( Stats
+                    versionLine
+                    scene
+                    sky
+                    workers
+                    band
+                    (tracedSeconds traced)
+                    seconds
+                    memory
+                    faults
+                )
+            )
         else pure status
   where
     reported = runReporting (renderRun options)

@@ -1,3 +1,5 @@
+{-# LANGUAGE TupleSections #-}
+
 -- | The scenes that @blackhole render@ renders.
 module BlackHole.Cli.Render.Scenes (renderedScenes) where
 
@@ -26,18 +28,31 @@ renderedScenes options = case renderFrom options of
     -- The metadata precede the pixels.
     outcome <- try (withBinaryFile path ReadMode (`Bytes.hGet` 0x400000))
     case outcome of
-      Left failure -> pure (Left [path ++ ": cannot be read: " ++ ioeGetErrorString (failure :: IOException)])
+      Left failure ->
+        pure
+          (Left [path ++ ": cannot be read: " ++ ioeGetErrorString (failure :: IOException)])
       Right bytes -> case fileMetadata bytes of
-        Nothing -> pure (Left [path ++ ": this picture has no scene; only pictures that blackhole wrote do"])
+        Nothing ->
+          pure
+            (Left [path ++ ": this picture has no scene; only pictures that blackhole wrote do"])
         Just metadata -> do
           when (metadataSoftware metadata /= software) $
-            say ("note: " ++ path ++ " was made by " ++ metadataSoftware metadata ++ "; " ++ software ++ " may render it differently")
-          pure (flip (,) (codingAfter path metadata) <$> resolveMetadata (renderScene options) path (metadataScene metadata))
+            say
+              ( "note: " ++ path ++ " was made by " ++ metadataSoftware metadata ++ "; "
+                  ++ software
+                  ++ " may render it differently"
+              )
+          pure
+            ( (,codingAfter path metadata)
+                <$> resolveMetadata (renderScene options) path (metadataScene metadata)
+            )
   where
     asked = renderCoding options
     -- Bits and quality are specific to the format.
     codingAfter path metadata
       | formatOf path == formatOf (renderTarget options) =
         let before = metadataCoding metadata
-         in Coding (codingBits asked <|> codingBits before) (codingQuality asked <|> codingQuality before)
+         in Coding
+              (codingBits asked <|> codingBits before)
+              (codingQuality asked <|> codingQuality before)
       | otherwise = asked

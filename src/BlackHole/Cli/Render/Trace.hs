@@ -40,13 +40,27 @@ data Traced = Traced
 -- reports of progress, and continues with the film. With @--keep-partial@ it traces
 -- smaller bands one after the other; after a signal it continues with a film of the
 -- finished ones and then ends by that signal.
-tracing :: RunOptions -> Maybe EnvironmentMap -> Workers -> NonEmpty Scene -> (Int, Int) -> FilePath -> (Traced -> IO ExitStatus) -> IO ExitStatus
+tracing ::
+  RunOptions ->
+  Maybe EnvironmentMap ->
+  Workers ->
+  NonEmpty Scene ->
+  (Int, Int) ->
+  FilePath ->
+  (Traced -> IO ExitStatus) ->
+  IO ExitStatus
 tracing how sky workers scenes@(scene :| others) (first, rows) output finish
   | runKeepPartial how = do
     kept <- newIORef []
     start <- getMonotonicTime
     outcome <- try . timed . reported $ \report -> forM_ bands $ \(from, count) -> do
-      band <- exposeMotionBlur sky workers (report . (from +) . rowsOf count) scenes (first + from, count)
+      band <-
+        exposeMotionBlur
+          sky
+          workers
+          (report . (from +) . rowsOf count)
+          scenes
+          (first + from, count)
       modifyIORef' kept (maybe id (:) band)
     done <- reverse <$> readIORef kept
     let rowsDone = sum (map (shapeHeight . pixelArrayShape . exposedLight) done)
@@ -57,17 +71,28 @@ tracing how sky workers scenes@(scene :| others) (first, rows) output finish
          in finish traced `catch` \stop -> finish traced >> throwIO (stop :: Stopped)
       (Just film, Left stop)
         | rowsDone > 0 -> do
-          say (output ++ ": " ++ show rowsDone ++ " of " ++ show rows ++ " rows are finished, the others are black")
+          say
+            ( output ++ ": " ++ show rowsDone ++ " of " ++ show rows
+                ++ " rows are finished, the others are black"
+            )
           end <- getMonotonicTime
           _ <- finish (Traced film rowsDone (end - start))
           throwIO (stop :: Stopped)
         | otherwise -> throwIO stop
   | otherwise = do
-    (exposed, seconds) <- timed (reported (\report -> exposeMotionBlur sky workers (report . rowsOf rows) scenes (first, rows)))
+    (exposed, seconds) <-
+      timed
+        ( reported
+            (\report -> exposeMotionBlur sky workers (report . rowsOf rows) scenes (first, rows))
+        )
     maybe untraceable (\film -> finish (Traced film rows seconds)) exposed
   where
     width = pictureWidth (scenePicture scene)
-    reported = withProgress (progressMode (runReporting how)) rows (width * sceneSamples scene * (1 + length others))
+    reported =
+      withProgress
+        (progressMode (runReporting how))
+        rows
+        (width * sceneSamples scene * (1 + length others))
     rowsOf count part = floor (part * fromIntegral count + 1e-6 :: Double)
     -- Enough to keep all workers busy, and at most some thirty bands.
     bandRows = max (4 * workersCount workers) ((rows + 31) `quot` 32)
@@ -77,10 +102,20 @@ tracing how sky workers scenes@(scene :| others) (first, rows) output finish
       where
         counts
           | rowsDone == rows && all (null . exposedCounts) done = Just Nothing
-          | otherwise = Just <$> padded 1 [countsRow scene band y | band <- done, y <- [0 .. shapeHeight (pixelArrayShape (exposedLight band)) - 1]]
+          | otherwise =
+            Just
+              <$> padded
+                1
+                [ countsRow scene band y
+                  | band <- done,
+                    y <- [0 .. shapeHeight (pixelArrayShape (exposedLight band)) - 1]
+                ]
         padded channels arrays =
           pixelShape width rows channels
-            >>= (`fromPixelVector` Vector.concat (arrays ++ [Vector.replicate (channels * width * (rows - rowsDone)) 0]))
+            >>= ( `fromPixelVector`
+                    Vector.concat
+                      (arrays ++ [Vector.replicate (channels * width * (rows - rowsDone)) 0])
+                )
 
 -- | The complaint about a scene without light paths, which validation should prevent.
 untraceable :: IO ExitStatus
@@ -92,6 +127,11 @@ warnOfFaults :: Workers -> Int -> Film -> IO (Int, Maybe (Int, Int))
 warnOfFaults workers first film = faultyPixels workers film >>= warn
   where
     warn (n, Just (x, y)) = do
-      say ("warning: " ++ show n ++ " pixels have no finite radiance, the first at " ++ show x ++ "," ++ show (first + y))
+      say
+        ( "warning: " ++ show n ++ " pixels have no finite radiance, the first at "
+            ++ show x
+            ++ ","
+            ++ show (first + y)
+        )
       pure (n, Just (x, first + y))
     warn _ = pure (0, Nothing)

@@ -50,7 +50,8 @@ import Data.Maybe (isJust)
 part :: (whole -> part) -> (part -> whole -> whole) -> Part whole part
 part get = Part (Just . get)
 
--- Setting the width sets the height, too; the height's own setting comes later.
+-- | The width or height of the picture. Setting the width sets the height, too; the
+-- height's own setting comes later.
 widthPart, heightPart :: Part Scene Int
 widthPart = part (pictureWidth . scenePicture) $ \w s ->
   let height
@@ -59,7 +60,8 @@ widthPart = part (pictureWidth . scenePicture) $ \w s ->
    in s {scenePicture = Picture w height}
 heightPart = part (pictureHeight . scenePicture) (\h s -> s {scenePicture = (scenePicture s) {pictureHeight = h}})
 
--- Choosing the projection that is there already leaves everything alone.
+-- | The projection. Choosing another one sets the field of view, the height and the bloom
+-- that go with it.
 projectionPart :: Part Scene Projection
 projectionPart = part sceneProjection $ \projection s ->
   let width = pictureWidth (scenePicture s)
@@ -73,16 +75,18 @@ projectionPart = part sceneProjection $ \projection s ->
               sceneBloom = if projection == Equirectangular then 0 else sceneBloom s
             }
 
--- Opening the lens focuses it on the hole; the focus's own setting comes later.
+-- | The aperture of the lens. Opening it focuses the lens on the hole; the focus has its own
+-- setting, which comes later.
 aperturePart :: Part Scene Double
 aperturePart = part sceneAperture $ \v s ->
   s {sceneAperture = v, sceneFocus = if v > 0 then XYZ.norm (posePosition (cameraPose (sceneCamera s))) else sceneFocus s}
 
+-- | A part of the camera.
 camera :: Part Camera a -> Part Scene a
 camera = inside (part sceneCamera (\c s -> s {sceneCamera = c}))
 
--- For a camera placed by position, a distance or an angle changes the position's
--- spherical coordinates.
+-- | A spherical coordinate of the camera. For a camera placed by position, setting one
+-- changes the coordinates of that position.
 distancePart, inclinationPart, azimuthPart :: Part Scene Double
 distancePart = around (\r _ _ -> r) (\r (_, i, a) -> Around r i a)
 inclinationPart = around (\_ i _ -> inDegrees i) (\i (r, _, a) -> Around r (Degrees i) a)
@@ -105,7 +109,8 @@ around get put =
             toDegrees (Radians (atan2 z x))
           )
 
--- A new position makes the camera look at the hole; a new target keeps the position.
+-- | The camera's position, which makes it look at the hole, or its target, which keeps the
+-- position.
 positionPart, lookAtPart :: Part Scene XYZ
 positionPart = camera . pose $ Part (fmap fst . placed) (\place _ -> LookAt place (XYZ 0 0 0))
 lookAtPart = camera . pose $ Part (fmap snd . placed) (\target p -> LookAt (posePosition p) target)
@@ -117,17 +122,19 @@ placed Around {} = Nothing
 pose :: Part Pose a -> Part Camera a
 pose = inside (part cameraPose (\p c -> c {cameraPose = p}))
 
+-- | A part of the shifts of light.
 shifts :: Part Shifts a -> Part Scene a
 shifts = inside (part sceneShifts (\v s -> s {sceneShifts = v}))
 
+-- | Whether there is a hole at all.
 gravityPart :: Part Scene Bool
 gravityPart = part ((/= Flat) . sceneSpacetime) $ \on s -> case (on, sceneSpacetime s) of
   (False, _) -> s {sceneSpacetime = Flat}
   (True, Flat) -> s {sceneSpacetime = Schwarzschild}
   (True, _) -> s
 
--- A disk that reaches down to the innermost stable orbit goes on doing so; a radius that
--- is given is set afterwards.
+-- | The spin of the hole. A disk that reaches down to the innermost stable orbit goes on
+-- doing so; a radius that is given is set afterwards.
 spinPart :: Part Scene Double
 spinPart = Part (spinOf . sceneSpacetime) $ \v s -> case (sceneSpacetime s, spin v) of
   (Flat, _) -> s
@@ -147,12 +154,14 @@ spinPart = Part (spinOf . sceneSpacetime) $ \v s -> case (sceneSpacetime s, spin
       Kerr hole -> iscoRadius RightHanded hole
       _ -> 3
 
+-- | Whether there is a disk.
 presencePart :: Part Scene Bool
 presencePart = part (isJust . sceneDisk) $ \present s -> case (present, sceneDisk s) of
   (False, _) -> s {sceneDisk = Nothing}
   (True, Nothing) -> s {sceneDisk = Just defaultDisk}
   (True, Just _) -> s
 
+-- | A part of the disk.
 disk :: Part Gas.Disk a -> Part Scene a
 disk = inside (Part sceneDisk (\d s -> s {sceneDisk = Just d}))
 
@@ -160,6 +169,7 @@ disk = inside (Part sceneDisk (\d s -> s {sceneDisk = Just d}))
 data ColourKind = RampGlow | BlackBodyGlow | BolometricGlow | SynchrotronGlow
   deriving (Eq)
 
+-- | The kind of the disk's colours.
 glowPart :: Part Scene ColourKind
 glowPart = disk (part (glowOf . Gas.diskColour) (\glow d -> d {Gas.diskColour = colourOf glow (Gas.diskColour d)}))
   where
@@ -173,6 +183,7 @@ glowPart = disk (part (glowOf . Gas.diskColour) (\glow d -> d {Gas.diskColour = 
     colourOf BlackBodyGlow colour@(BlackBody _) = colour
     colourOf BlackBodyGlow _ = BlackBody 2100
 
+-- | The temperature in kelvin of a disk that glows as a black body.
 temperaturePart :: Part Scene Double
 temperaturePart = disk (Part (temperature . Gas.diskColour) (\v d -> d {Gas.diskColour = BlackBody v}))
   where
@@ -183,7 +194,8 @@ temperaturePart = disk (Part (temperature . Gas.diskColour) (\v d -> d {Gas.disk
 data SkyKind = NoiseSky | StarSky | RandomStarSky | PanoramaSky !FilePath | GridSky | UniformSky | NoSky
   deriving (Eq)
 
--- Choosing the present kind, or another file, keeps the other settings of the sky.
+-- | The kind of the sky. Choosing the present kind, or another file, keeps the other
+-- settings of the sky.
 skyKindPart :: Part Scene SkyKind
 skyKindPart = part (skyKind . sceneSky) $ \kind s -> case (kind, sceneSky s) of
   (PanoramaSky file, SkyPanorama p) -> s {sceneSky = SkyPanorama p {panoramaFile = file}}
@@ -209,16 +221,19 @@ skyKind sky = case sky of
   SkyUniform _ -> UniformSky
   SkyNone -> NoSky
 
+-- | The file of an environment map.
 panoramaSkyFile :: SkyKind -> Maybe FilePath
 panoramaSkyFile (PanoramaSky file) = Just file
 panoramaSkyFile _ = Nothing
 
+-- | A part of the environment map.
 panorama :: Part Panorama a -> Part Scene a
 panorama = inside (Part (shown . sceneSky) (\v s -> s {sceneSky = SkyPanorama v}))
   where
     shown (SkyPanorama p) = Just p
     shown _ = Nothing
 
+-- | The radiance of a uniform sky.
 radiancePart :: Part Scene Double
 radiancePart = Part (uniform . sceneSky) $ \v s ->
   if skyKind (sceneSky s) == UniformSky then s {sceneSky = SkyUniform v} else s
@@ -226,18 +241,21 @@ radiancePart = Part (uniform . sceneSky) $ \v s ->
     uniform (SkyUniform v) = Just v
     uniform _ = Nothing
 
+-- | A part of the stars of noise.
 stars :: Part Stars a -> Part Scene a
 stars = inside (Part (noise . sceneSky) (\v s -> s {sceneSky = SkyNoise v}))
   where
     noise (SkyNoise v) = Just v
     noise _ = Nothing
 
+-- | A part of the real stars.
 realStars :: Part RealSky a -> Part Scene a
 realStars = inside (Part (real . sceneSky) (\v s -> s {sceneSky = SkyStars v}))
   where
     real (SkyStars v) = Just v
     real _ = Nothing
 
+-- | The angle in degrees by which the sky is turned.
 rotationPart :: Part Scene Double
 rotationPart = Part (rotation . sceneSky) $ \v s -> case sceneSky s of
   SkyStars real -> s {sceneSky = SkyStars real {realSkyRotation = Degrees v}}

@@ -14,7 +14,6 @@
 -- the series of order 5 is exact to 1e-9.
 module BlackHole.Spacetime.Kerr.Follow
   ( followKerr,
-    kerrEnd,
   )
 where
 
@@ -24,17 +23,8 @@ import BlackHole.Spacetime.Kerr.Path
 import BlackHole.Spacetime.Kerr.Sight
 import BlackHole.Spacetime.LightPath
 import BlackHole.Spacetime.March
+import BlackHole.Spacetime.Momentum
 import BlackHole.Vector.XYZ (XYZ (..))
-
--- | The fate of a ray with nothing in its way, from an observer at an azimuth.
-kerrEnd :: Spin -> Azimuth -> LightRay -> Fate
-kerrEnd hole azimuth ray = fateOf (kerrFate (kerrPath hole azimuth ray))
-
-fateOf :: KerrFate -> Fate
-fateOf fate = case fate of
-  Escapes direction -> Escaped direction
-  BlackHole.Spacetime.Kerr.Path.Captured -> BlackHole.Spacetime.Fate.Captured
-  Circles -> StepLimit
 
 -- | Follow a ray from an observer at an azimuth to its end and hand out the segments that lie in a region. The phase,
 -- 0 to 1, is the fraction of a whole step that the first segment of a passage is long:
@@ -46,16 +36,18 @@ followKerr hole region phase azimuth ray gather initial
   where
     !reach = enclosingRadius region
     path = kerrPath hole azimuth ray
-    finish !n state = Followed (fateOf (kerrFate path)) state n
+    finish !n state = Followed (kerrFate path) state n
     !a = spinLength hole
     !a2 = a * a
     !lambda = rayLambda ray
     !eta = rayEta ray
-    !kappa = eta + (lambda - a) * (lambda - a)
+    !kappa = rayKappa ray
     !c2 = a2 - lambda * lambda - eta
-    !wHorizon = 1 / horizonRadius hole
+    !outer = horizonRadius hole
+    !inner = innerHorizonRadius hole
+    !wHorizon = 1 / outer
     -- The greatest |cos θ| of the gas.
-    innermost = max (horizonRadius hole) (regionInnerRadius region)
+    innermost = max outer (regionInnerRadius region)
     steepest = min 1 (regionHalfHeight region / innermost + regionFlare region)
     windows = kerrPassages path reach steepest
 
@@ -74,7 +66,7 @@ followKerr hole region phase azimuth ray gather initial
 
     march !n !lead !left !w !w' !u !u' !phi rest state
       | left <= 1e-14 || w >= 0.999999 * wHorizon = passages n rest state
-      | insideRegion region middle = case gather state (PathSegment middle velocity (step * sigma)) of
+      | insideRegion region middle = case gather state segment of
         Continue state' -> next (n + 1) state'
         Stop state' -> Followed Opaque state' (n + 1)
       | otherwise = next n state
@@ -104,12 +96,24 @@ followKerr hole region phase azimuth ray gather initial
         !sine = sin phiM
         !cosine = cos phiM
         middle = XYZ (rM * sM * sine) (rM * uM) (rM * sM * cosine)
-        -- dx/dτ, and Σ, which makes dx/dl of it.
-        !sigma = rM * rM + a2 * uM * uM
-        !radialRate = negate wM' * rM * rM
-        !horizontal = (radialRate * sM - rM * uM * uM' / sM) / sigma
-        !around = rM * sM * rateM / sigma
-        velocity = XYZ (horizontal * sine + around * cosine) ((radialRate * uM + rM * uM') / sigma) (horizontal * cosine - around * sine)
+        -- Rates with respect to Mino time.
+        radialRate = negate wM' * rM * rM
+        vertical = radialRate * uM + rM * uM'
+        horizontal = radialRate * sM - rM * uM * uM' / sM
+        around = rM * sM * rateM
+        p = rM * rM + a * (a - lambda)
+        delta = (rM - outer) * (rM - inner)
+        radialMomentum = sqrt (max 0 (p * p - delta * kappa)) / delta
+        segment =
+          PathSegment
+            { segmentMiddle = middle,
+              segmentRadius = rM,
+              segmentAffineLength = step * (rM * rM + a2 * uM * uM),
+              segmentLength = step * sqrt (horizontal * horizontal + vertical * vertical + around * around),
+              segmentRadialStep = step * radialRate,
+              segmentVerticalStep = step * vertical,
+              segmentMomentum = Momentum (if radialRate > 0 then negate radialMomentum else radialMomentum) lambda
+            }
         next !m = march m 1 (left - step) w1 w1' u1 u1' phi1 rest
 
     wForce w = w * (c2 + w * (1.5 * kappa - 2 * a2 * eta * w))

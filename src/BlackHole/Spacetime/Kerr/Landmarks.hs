@@ -8,15 +8,16 @@
 module BlackHole.Spacetime.Kerr.Landmarks
   ( Spin,
     spin,
+    noSpin,
     dimensionlessSpin,
     spinLength,
     Handedness (..),
     horizonRadius,
     innerHorizonRadius,
+    kerrDelta,
     ergosphereRadius,
     photonOrbitRadius,
-    polarPhotonOrbitRadius,
-    marginallyBoundRadius,
+    sphericalOrbitRadius,
     iscoRadius,
   )
 where
@@ -30,6 +31,10 @@ spin :: Double -> Maybe Spin
 spin s
   | abs s < 1 = Just (Spin s)
   | otherwise = Nothing
+
+-- | The spin of a hole that does not rotate.
+noSpin :: Spin
+noSpin = Spin 0
 
 -- | @s = J\/M²@, in (−1, 1).
 dimensionlessSpin :: Spin -> Double
@@ -59,6 +64,10 @@ horizonRadius (Spin s) = 0.5 * (1 + sqrt ((1 - s) * (1 + s)))
 innerHorizonRadius :: Spin -> Double
 innerHorizonRadius hole = spinLength hole * spinLength hole / horizonRadius hole
 
+-- | @Δ = (r − r₊)(r − r₋)@ at a radius.
+kerrDelta :: Spin -> Double -> Double
+kerrDelta hole r = (r - horizonRadius hole) * (r - innerHorizonRadius hole)
+
 -- | The radius below which nothing can be at rest, from the cosine of the
 -- polar angle: between the horizon on the axis and 1 in the equatorial plane.
 ergosphereRadius :: Spin -> Double -> Double
@@ -68,23 +77,20 @@ ergosphereRadius (Spin s) cosine = 0.5 * (1 + sqrt ((1 - s * cosine) * (1 + s * 
 photonOrbitRadius :: Handedness -> Spin -> Double
 photonOrbitRadius handedness hole = 1 + cos (2 / 3 * acos (negate (spinAlong handedness hole)))
 
--- | The spherical orbit of light without angular momentum about the axis, which
--- passes over both poles: the greatest root of @r³ − (3\/2)r² + a²r + a²\/2@.
-polarPhotonOrbitRadius :: Spin -> Double
-polarPhotonOrbitRadius hole = 0.5 + 2 * third * cos (acos argument / 3)
+-- | The radius of the spherical orbit of light with an angular momentum λ per energy: the
+-- greatest root of @r³ − (3\/2)r² + a(a + λ)r + a(a − λ)\/2@, between the circular orbits
+-- of both senses. With λ = 0 it passes over both poles.
+sphericalOrbitRadius :: Spin -> Double -> Double
+sphericalOrbitRadius hole lambda
+  | linear < 0 = 0.5 + 2 * size * sinh (asinh argument / 3)
+  | argument <= 1 = 0.5 + 2 * size * cos (acos argument / 3)
+  | otherwise = 0.5 + 2 * size * cosh (acosh argument / 3)
   where
-    a2 = spinLength hole * spinLength hole
-    -- With r = ½ + x the cubic loses its quadratic term: x³ − 3p²x + a² − ¼ = 0,
-    -- 3p² = ¾ − a².
-    third = sqrt (0.25 - a2 / 3)
-    argument = min 1 ((0.25 - a2) / (2 * third * third * third))
-
--- | The circular orbit of matter whose energy equals its rest mass: what comes
--- from rest at infinity and turns farther in than this falls into the hole.
-marginallyBoundRadius :: Handedness -> Spin -> Double
-marginallyBoundRadius handedness hole = 0.5 * (2 - s + 2 * sqrt (1 - s))
-  where
-    s = spinAlong handedness hole
+    a = spinLength hole
+    -- With r = ½ + x: x³ − 3 linear x − (¼ − a²) = 0, by Viète's formulas.
+    linear = (0.75 - a * a - a * lambda) / 3
+    size = sqrt (max 1e-100 (abs linear))
+    argument = (0.25 - a * a) / (2 * size * size * size)
 
 -- | The innermost stable circular orbit of matter, in (½, 4.5).
 --
@@ -94,6 +100,7 @@ marginallyBoundRadius handedness hole = 0.5 * (2 - s + 2 * sqrt (1 - s))
 -- closed form is the better one.
 iscoRadius :: Handedness -> Spin -> Double
 iscoRadius handedness hole
+  | s == 0 = 3
   | abs s < 0.9 = let x = newton (newton (newton (sqrt (2 * closed)))) in 0.5 * x * x
   | otherwise = closed
   where

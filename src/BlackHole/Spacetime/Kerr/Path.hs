@@ -5,9 +5,7 @@
 -- ("BlackHole.Spacetime.Kerr.PowerSeries").
 module BlackHole.Spacetime.Kerr.Path
   ( KerrPath,
-    Azimuth (..),
     kerrPath,
-    KerrFate (..),
     kerrFate,
     kerrMinoTime,
     KerrPoint (..),
@@ -20,6 +18,7 @@ module BlackHole.Spacetime.Kerr.Path
   )
 where
 
+import BlackHole.Spacetime.Fate
 import BlackHole.Spacetime.Kerr.Landmarks
 import BlackHole.Spacetime.Kerr.Latitude
 import BlackHole.Spacetime.Kerr.PowerSeries
@@ -33,7 +32,7 @@ data KerrPath = KerrPath
     -- approaches a photon orbit for ever.
     kerrMinoTime :: !Double,
     -- | How the path ends.
-    kerrFate :: KerrFate,
+    kerrFate :: Fate XYZ,
     -- | The point after a Mino time, which must not exceed that of the whole path.
     kerrPoint :: Double -> KerrPoint,
     -- | Where the path crosses the equatorial plane outside the horizon, in the
@@ -51,23 +50,6 @@ data KerrPath = KerrPath
     -- 'Nothing' for a ray without one, which is nearly radial.
     kerrSweptAngle :: Maybe Double
   }
-
--- | An azimuth of the observer in radians: Boyer–Lindquist's φ, or the ingoing
--- azimuth @φ + a\/(r₊ − r₋) ln |(r − r₊)\/(r − r₋)|@, which is regular at the
--- horizon and equal to φ at infinity. An observer inside the horizon must have the
--- latter.
-data Azimuth = BoyerLindquist !Double | Ingoing !Double
-  deriving (Eq, Show)
-
--- | How a path ends.
-data KerrFate
-  = -- | At infinity, in this direction (unit length).
-    Escapes !XYZ
-  | -- | At the horizon.
-    Captured
-  | -- | At a photon orbit, which it approaches for ever.
-    Circles
-  deriving (Eq, Show)
 
 -- | A point of a path.
 data KerrPoint = KerrPoint
@@ -105,7 +87,7 @@ closedPath hole azimuth ray r l =
         AtInfinity ->
           let phase = phaseAfter l time
               (z, x) = turned phase (stateAtEnd r)
-           in Escapes (XYZ x (phaseCosine l phase) z),
+           in Escaped (XYZ x (phaseCosine l phase) z),
       kerrPoint = \t -> pointAt t (phaseAfter l t),
       kerrPlanePoints =
         [pointAt t phase | (t, phase) <- takeWhile ((< time) . fst) (take 1000 (planeCrossingTimes l))],
@@ -123,7 +105,7 @@ closedPath hole azimuth ray r l =
     (end, time) = radialEnd r
     a = spinLength hole
     lambda = rayLambda ray
-    kappa = rayEta ray + (lambda - a) * (lambda - a)
+    kappa = rayKappa ray
     inside = rayRadius ray <= horizonRadius hole
     pointAt t phase = KerrPoint radius (phaseCosine l phase) (atan2 x z - correction) (stateGrows state)
       where
@@ -153,7 +135,7 @@ seriesOnly hole azimuth ray =
           then
             let end = seriesPoint path time
                 (z, x) = turned end
-             in Escapes (XYZ x (seriesCosine end) z)
+             in Escaped (XYZ x (seriesCosine end) z)
           else Captured,
       kerrPoint = pointAt,
       kerrPlanePoints = filter ((> horizonRadius hole) . pointRadius) (map pointAt (seriesCrossingTimes path)),

@@ -84,8 +84,8 @@ radialPotential hole ray r = p * p - delta * kappa
     a = spinLength hole
     lambda = rayLambda ray
     p = r * r + a * (a - lambda)
-    delta = (r - horizonRadius hole) * (r - innerHorizonRadius hole)
-    kappa = rayEta ray + (lambda - a) * (lambda - a)
+    delta = kerrDelta hole r
+    kappa = rayKappa ray
 
 -- | A smooth measure of how far a ray is from one that circles for ever on a photon
 -- orbit: the squared half distance of the two greatest roots over the squared radius of
@@ -113,7 +113,7 @@ rootsOf hole ray =
     lambda = rayLambda ray
     eta = rayEta ray
     c2 = (a - lambda) * (a + lambda) - eta
-    kappa = eta + (lambda - a) * (lambda - a)
+    kappa = rayKappa ray
     z = ferrari c2 kappa (negate (a * a * eta))
 
 -- | The radial motion of a ray, and the Mino time until it ends (infinite for a

@@ -5,7 +5,6 @@ module BlackHole.Spacetime.Kerr.Shadow
   ( Shadow,
     shadow,
     shadowEdge,
-    sphericalOrbitRadius,
   )
 where
 
@@ -37,21 +36,6 @@ shadow hole place@(Place r polarAngle)
 
 sineOf :: Place -> Double
 sineOf = max 1e-100 . sin . placePolarAngle
-
--- | The radius of the spherical photon orbit with an angular momentum λ per energy:
--- the greatest root of @r³ − (3\/2)r² + a(a + λ)r + a(a − λ)\/2@, between the circular
--- orbits of both senses.
-sphericalOrbitRadius :: Spin -> Double -> Double
-sphericalOrbitRadius hole lambda
-  | linear < 0 = 0.5 + 2 * size * sinh (asinh argument / 3)
-  | argument <= 1 = 0.5 + 2 * size * cos (acos argument / 3)
-  | otherwise = 0.5 + 2 * size * cosh (acosh argument / 3)
-  where
-    a = spinLength hole
-    -- With r = ½ + x: x³ − 3 linear x − (¼ − a²) = 0, by Viète's formulas.
-    linear = (0.75 - a * a - a * lambda) / 3
-    size = sqrt (max 1e-100 (abs linear))
-    argument = (0.25 - a * a) / (2 * size * size * size)
 
 -- | Carter's constant η of the orbit with λ; free of the division by @a@ that the
 -- textbook form has.
@@ -85,7 +69,7 @@ shadowEdge (Shadow hole place@(Place r polarAngle) middle halfWidth) alpha =
     theta = max 0 (polarPotential hole place l)
     orbitRadius = sphericalOrbitRadius hole lambda
     sigma = r * r + a * a * c * c
-    delta = (r - horizonRadius hole) * (r - innerHorizonRadius hole)
+    delta = kerrDelta hole r
     f2 = 1 - r / sigma
     p = r * r + a * a - a * lambda
     kappa = eta + (lambda - a) * (lambda - a)

@@ -10,6 +10,7 @@
 module BlackHole.Spacetime.Kerr.Sight
   ( Place (..),
     Motion (..),
+    Azimuth (..),
     Direction (..),
     LightRay (..),
     lightRay,
@@ -24,6 +25,13 @@ data Place = Place
   { placeRadius :: !Double,
     placePolarAngle :: !Double
   }
+  deriving (Eq, Show)
+
+-- | An azimuth of the observer in radians: Boyer–Lindquist's φ, or the ingoing
+-- azimuth @φ + a\/(r₊ − r₋) ln |(r − r₊)\/(r − r₋)|@, which is regular at the
+-- horizon and equal to φ at infinity. An observer inside the horizon must have the
+-- latter.
+data Azimuth = BoyerLindquist !Double | Ingoing !Double
   deriving (Eq, Show)
 
 -- | How an observer moves.
@@ -60,6 +68,8 @@ data LightRay = LightRay
     rayLambda :: {-# UNPACK #-} !Double,
     -- | η = Q\/E², Carter's constant over the squared energy.
     rayEta :: {-# UNPACK #-} !Double,
+    -- | κ = η + (λ − a)², the constant of the radial motion.
+    rayKappa :: {-# UNPACK #-} !Double,
     -- | The frequency that the observer measures over that at infinity: the shift
     -- of light from the sky.
     rayObserved :: {-# UNPACK #-} !Double
@@ -97,7 +107,7 @@ lightRay hole (Place r polarAngle) motion (Direction nr ntheta nphi) = case moti
     s = max 1e-100 (sin polarAngle)
     outside = r > horizonRadius hole
     sigma = r * r + a * a * c * c
-    delta = (r - horizonRadius hole) * (r - innerHorizonRadius hole)
+    delta = kerrDelta hole r
     area = (r * r + a * a) * (r * r + a * a) - a * a * delta * s * s
     omega = a * r / area
     alpha = sqrt (sigma * delta / area)
@@ -117,6 +127,7 @@ lightRay hole (Place r polarAngle) motion (Direction nr ntheta nphi) = case moti
       | energy > 0 =
         let thetaRate = ntheta * sqrt sigma / energy
             l = lambdaOverSine / energy
+            eta = thetaRate * thetaRate + c * c * (l * l - a * a)
          in Just
               LightRay
                 { rayRadius = r,
@@ -125,7 +136,8 @@ lightRay hole (Place r polarAngle) motion (Direction nr ntheta nphi) = case moti
                   rayRadialRate = radialRate / energy,
                   rayPolarRate = thetaRate,
                   rayLambda = l * s,
-                  rayEta = thetaRate * thetaRate + c * c * (l * l - a * a),
+                  rayEta = eta,
+                  rayKappa = eta + (l * s - a) * (l * s - a),
                   rayObserved = 1 / energy
                 }
       | otherwise = Nothing

@@ -7,20 +7,19 @@
 -- length only decides where the gas is sampled.
 module BlackHole.Spacetime.Schwarzschild.ExactPath
   ( followExact,
-    straightImpact,
   )
 where
 
 import BlackHole.Spacetime.Fate
 import BlackHole.Spacetime.LightPath
 import BlackHole.Spacetime.March
+import BlackHole.Spacetime.PathPlane
 import BlackHole.Spacetime.Photon
-import BlackHole.Spacetime.Schwarzschild.Orbit (TurningPoint (..), orbit, orbitFate, orbitInverseRadiusAndSlope, orbitTurningPoint)
-import qualified BlackHole.Spacetime.Schwarzschild.Orbit as Orbit
+import BlackHole.Spacetime.Schwarzschild.Orbit
 import BlackHole.Spacetime.Types (Spacetime (..))
-import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^), (^-^))
+import BlackHole.Vector.XY (XY (..))
+import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
 import qualified BlackHole.Vector.XYZ as XYZ
-import Data.Maybe (fromMaybe)
 
 -- | Follows a photon of unit energy ('withUnitEnergy') to its end and passes the path
 -- segments inside the region to the caller. Costs one evaluation of the orbit per
@@ -37,19 +36,13 @@ followExact _ = followOrbit
 {-# INLINE followExact #-}
 
 followOrbit :: Region -> Photon -> (a -> PathSegment -> Continue a) -> a -> Followed a
-followOrbit region (Photon place velocity) gather
+followOrbit region photon gather
   | nearest >= reach = end 0
   | otherwise = go 0 0 u0 slope0
   where
-    !r0 = XYZ.norm place
+    !r0 = XYZ.norm (photonPosition photon)
     !u0 = 1 / r0
-    !e1 = u0 *^ place
-    !radial = XYZ.dot velocity e1
-    across = velocity ^-^ radial *^ e1
-    -- A photon that moves straight towards the hole or away from it sweeps no angle to
-    -- march along, so this follows its neighbour within 1e-12 radians.
-    !tangential = max (1e-12 * XYZ.norm velocity) (XYZ.norm across)
-    !e2 = fromMaybe (XYZ.perpendicular e1) (XYZ.normalize across)
+    !(Launch plane radial tangential) = launch r0 photon
     !path = orbit r0 radial tangential
     !b = r0 * tangential
     !slope0 = negate radial / b
@@ -57,15 +50,8 @@ followOrbit region (Photon place velocity) gather
     nearest = case orbitTurningPoint path of
       Just (TurningPoint _ r) -> if radial < 0 then r else min r0 1
       Nothing -> if radial > 0 then r0 else 0
-    fate = orbitFate path
-    !lastAngle = case fate of
-      Orbit.Escapes angle -> angle
-      Orbit.Captured angle -> angle
-      Orbit.Circles -> 1000
-    end !n state = case fate of
-      Orbit.Escapes angle -> Followed (Escaped (cos angle *^ e1 ^+^ sin angle *^ e2)) state n
-      Orbit.Captured _ -> Followed Captured state n
-      Orbit.Circles -> Followed StepLimit state n
+    !lastAngle = min 1000 (orbitSweep path)
+    end !n state = Followed (inSpace plane <$> orbitFate path) state n
     -- Swept angle, and inverse radius and slope there: exact at the start, then
     -- extrapolated by a Taylor expansion from the last middle, which is accurate enough
     -- to choose the next step.
@@ -74,16 +60,14 @@ followOrbit region (Photon place velocity) gather
       -- Outside the gas and moving outward: only the sky is left.
       | slope <= 0 && u * reach <= 1 = end n state
       | insideRegion region middle =
-        case gather state (PathSegment middle velocity' (turn / (b * um * um))) of
+        case gather state (planarSegment (Photon middle velocity') (turn / (b * um * um))) of
           Continue state' -> go (n + 1) angle' u' slope' state'
           Stop state' -> Followed Opaque state' (n + 1)
       | otherwise = go (n + 1) angle' u' slope' state
       where
-        here = (cos angle / u) *^ e1 ^+^ (sin angle / u) *^ e2
+        here = inSpace plane (XY (cos angle / u) (sin angle / u))
         speed = sqrt (slope * slope + u * u)
-        XYZ _ climbing _ =
-          (cos angle * slope + sin angle * u) *^ e1
-            ^+^ (sin angle * slope - cos angle * u) *^ e2
+        XYZ _ climbing _ = inSpace plane (XY (cos angle * slope + sin angle * u) (sin angle * slope - cos angle * u))
         wanted = marchLength region here (climbing / speed) * u * u / speed
         -- The last segment of a captured path ends at the horizon. The last segment of
         -- an escaping path is far outside the region.
@@ -94,8 +78,8 @@ followOrbit region (Photon place velocity) gather
         (!um, !slopeM) = orbitInverseRadiusAndSlope path angleM
         !c = cos angleM
         !s = sin angleM
-        outward = c *^ e1 ^+^ s *^ e2
-        onward = c *^ e2 ^-^ s *^ e1
+        outward = inSpace plane (XY c s)
+        onward = onwardAt plane c s
         middle = (1 / um) *^ outward
         velocity' = (negate b * slopeM) *^ outward ^+^ (b * um) *^ onward
         bend = (1.5 * um - 1) * um
@@ -114,7 +98,7 @@ followStraight region (Photon place velocity) gather = go 0 0
       | t >= impact = Followed Captured state n
       | isInfinite impact && along + t >= 0 && XYZ.norm here >= reach = escaped
       | insideRegion region middle =
-        case gather state (PathSegment middle velocity len) of
+        case gather state (planarSegment (Photon middle velocity) len) of
           Continue state' -> go (n + 1) (t + len) state'
           Stop state' -> Followed Opaque state' (n + 1)
       | otherwise = go (n + 1) (t + len) state

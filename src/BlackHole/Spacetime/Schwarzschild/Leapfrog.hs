@@ -8,20 +8,10 @@
 {-# OPTIONS_GHC -fregs-graph #-}
 #endif
 
--- | Leapfrog integration of light in pseudo-space, with the step rule of the design
--- report (Will Yager, "Accurately Rendering a Black Hole").
---
--- A step is drift–kick–drift: half a step straight on, the whole kick at the middle,
--- half a step straight on. The method is second order (halving the step divides the
--- error by four) and, for steps of equal length, reversible. Drift and kick in whole
--- steps would be first order. The gas is sampled at the middle of the step, where the
--- acceleration is evaluated.
+-- | Light followed step by step ("BlackHole.Spacetime.Schwarzschild.LeapfrogStep"), one
+-- photon at a time or three.
 module BlackHole.Spacetime.Schwarzschild.Leapfrog
-  ( StepRule (..),
-    reportStepRule,
-    stepLength,
-    leapfrogStep,
-    Leapfrog (..),
+  ( Leapfrog (..),
     defaultLeapfrog,
     followLeapfrog,
     followThree,
@@ -31,75 +21,14 @@ where
 import BlackHole.Spacetime.Fate (Fate (..))
 import BlackHole.Spacetime.LightPath
 import BlackHole.Spacetime.March (enclosingRadius)
+import BlackHole.Spacetime.Momentum
+import BlackHole.Spacetime.PathPlane
 import BlackHole.Spacetime.Photon
+import BlackHole.Spacetime.Schwarzschild.LeapfrogStep
 import BlackHole.Spacetime.Types (Spacetime, pullOfGravity)
-import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^), (^-^))
+import BlackHole.Vector.XY (XY (..))
+import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
 import qualified BlackHole.Vector.XYZ as XYZ
-import Data.Maybe (fromMaybe)
-
--- | The rule for the length of the next step, in Schwarzschild radii of pseudo-space.
-data StepRule
-  = -- | The report's rule: @l₀ · min(s_bh, s_ad)@ with @s_bh = 1/(1+e^{10(1.4−r)})@ and
-    -- @s_ad = 1/(1+e^{10(0.4−|y|/(20 w_ad))})@, and 10 beyond @r = 40@. The fields are
-    -- @l₀@ and @w_ad@.
-    ReportSteps {-# UNPACK #-} !Double {-# UNPACK #-} !Double
-  | -- | Steps of equal length.
-    EqualSteps {-# UNPACK #-} !Double
-  deriving (Eq, Show)
-
--- | The report's rule with its own constants, @l₀ = 0.1@ and @w_ad = 0.01@.
-reportStepRule :: StepRule
-reportStepRule = ReportSteps 0.1 0.01
-
--- | The length of the step that starts at this point, in Schwarzschild radii.
-stepLength :: StepRule -> XYZ -> Double
-stepLength rule x@(XYZ _ y _) = stepLengthAt rule (XYZ.normSquared x) y
-{-# INLINE stepLength #-}
-
--- | The length of a step from the squared distance to the hole and the height.
-stepLengthAt :: StepRule -> Double -> Double -> Double
-stepLengthAt (EqualSteps l) = \_ _ -> l
-stepLengthAt (ReportSteps l0 w) = reportLength l0 w
-{-# INLINE stepLengthAt #-}
-
-reportLength :: Double -> Double -> Double -> Double -> Double
-reportLength l0 w r2 y
-  | r2 > 1600 = 10
-  -- Most steps end here: with both exponents below −37, 1 + e^exponent is 1 to the last
-  -- bit, so neither the root nor the exponential is needed.
-  | r2 > 26.1 && abs y > 82.1 * w = l0
-  | otherwise = l0 / (1 + exp (max (10 * (1.4 - sqrt r2)) diskExponent))
-  where
-    -- A logistic curve is monotone, so the smaller of the two belongs to the
-    -- larger exponent: one exponential instead of two.
-    diskExponent = 10 * (0.4 - abs y / (20 * w))
-{-# INLINE reportLength #-}
-
--- | Passes the rule's length on as a function, chosen once. Choosing inside the loop
--- would make GHC spill the whole state of the loop at every turn.
-withStepLength :: StepRule -> ((Double -> Double -> Double) -> b) -> b
-withStepLength (EqualSteps l) use = use (\_ _ -> l)
-withStepLength (ReportSteps l0 w) use = use (reportLength l0 w)
-{-# INLINE withStepLength #-}
-
--- | @leapfrogStep spacetime h2 dt photon@ is the photon after one step of the
--- pseudo-time @dt@. @h2@ is its squared angular momentum, which the caller knows
--- because it never changes.
-leapfrogStep :: Spacetime -> Double -> Double -> Photon -> Photon
-leapfrogStep spacetime h2 dt photon =
-  Photon (middle ^+^ (0.5 * dt) *^ v) v
-  where
-    (middle, v) = driftAndKick (pullOfGravity spacetime * h2) dt photon
-{-# INLINE leapfrogStep #-}
-
--- | The first half of a step: the middle point, and the velocity after the kick.
-driftAndKick :: Double -> Double -> Photon -> (XYZ, XYZ)
-driftAndKick pull dt (Photon x v) = (middle, v ^+^ kick *^ middle)
-  where
-    middle = x ^+^ (0.5 * dt) *^ v
-    r2 = XYZ.normSquared middle
-    kick = negate (pull * dt) / (r2 * r2 * sqrt r2)
-{-# INLINE driftAndKick #-}
 
 -- | The parameters of the integration.
 data Leapfrog = Leapfrog
@@ -205,12 +134,12 @@ followThree leapfrog@(Leapfrog rule skyRadius limit) spacetime region (photon0, 
             start0 = InPlane a0 b0 u0 v0
             start1 = InPlane a1 b1 u1 v1
             start2 = InPlane a2 b2 u2 v2
-            middle0 = Middle ma0 mb0
-            middle1 = Middle ma1 mb1
-            middle2 = Middle ma2 mb2
-            after0 = Middle u0' v0'
-            after1 = Middle u1' v1'
-            after2 = Middle u2' v2'
+            middle0 = XY ma0 mb0
+            middle1 = XY ma1 mb1
+            middle2 = XY ma2 mb2
+            after0 = XY u0' v0'
+            after1 = XY u1' v1'
+            after2 = XY u2' v2'
             onward =
               loop
                 (n + 1)
@@ -233,13 +162,13 @@ followThree leapfrog@(Leapfrog rule skyRadius limit) spacetime region (photon0, 
               )
     {-# INLINE begin #-}
     meet plane gather dt start middle after state
-      | insideRegion region place = gather state (segmentInPlane plane dt place start after)
+      | insideRegion region place = gather state (segmentInPlane plane dt place start middle after)
       | otherwise = Continue state
       where
-        place = inSpace plane middle
+        place = placeInSpace plane middle
 
--- | The plane of a path: two orthogonal unit vectors, the first from the hole to the
--- start; their heights above the disk's plane; and @−(3\/2) h²@.
+-- | The plane of a path: its two unit vectors, their heights above the disk's plane, and
+-- @−(3\/2) h²@. The vectors are pointers, so that the loop carries two words and not six.
 data Plane
   = Plane
       !XYZ
@@ -249,11 +178,13 @@ data Plane
       {-# UNPACK #-} !Double
 
 orbitalPlane :: Spacetime -> Photon -> Plane
-orbitalPlane spacetime photon@(Photon x v) =
-  Plane e1 e2 height1 height2 (negate (pullOfGravity spacetime * XYZ.normSquared (angularMomentum photon)))
+orbitalPlane spacetime photon = Plane e1 e2 height1 height2 (negate (pullOfGravity spacetime * XYZ.normSquared (angularMomentum photon)))
   where
-    !e1@(XYZ _ height1 _) = fromMaybe (XYZ 1 0 0) (XYZ.normalize x)
-    !e2@(XYZ _ height2 _) = fromMaybe (XYZ.perpendicular e1) (XYZ.normalize (v ^-^ XYZ.dot v e1 *^ e1))
+    Launch (PathPlane e1@(XYZ _ height1 _) e2@(XYZ _ height2 _)) _ _ = launch (XYZ.norm (photonPosition photon)) photon
+
+placeInSpace :: Plane -> XY -> XYZ
+placeInSpace (Plane e1 e2 _ _ _) (XY a b) = a *^ e1 ^+^ b *^ e2
+{-# INLINE placeInSpace #-}
 
 -- | Position and velocity in the plane's own coordinates.
 data InPlane
@@ -264,20 +195,27 @@ data InPlane
       {-# UNPACK #-} !Double
 
 startInPlane :: Photon -> InPlane
-startInPlane (Photon x v) = InPlane (XYZ.norm x) 0 radial (sqrt (max 0 (XYZ.normSquared v - radial * radial)))
+startInPlane photon = InPlane r 0 radial tangential
   where
-    radial = XYZ.dot v x / XYZ.norm x
+    r = XYZ.norm (photonPosition photon)
+    Launch _ radial tangential = launch r photon
 
--- | A vector in the plane's own coordinates.
-data Middle = Middle {-# UNPACK #-} !Double {-# UNPACK #-} !Double
-
-inSpace :: Plane -> Middle -> XYZ
-inSpace (Plane e1 e2 _ _ _) (Middle a b) = a *^ e1 ^+^ b *^ e2
-{-# INLINE inSpace #-}
-
-segmentInPlane :: Plane -> Double -> XYZ -> InPlane -> Middle -> PathSegment
-segmentInPlane plane dt place (InPlane _ _ u v) (Middle u' v') =
-  PathSegment place (inSpace plane (Middle (0.5 * (u + u')) (0.5 * (v + v')))) dt
+segmentInPlane :: Plane -> Double -> XYZ -> InPlane -> XY -> XY -> PathSegment
+segmentInPlane (Plane (XYZ x1 _ z1) (XYZ x2 _ z2) heightA heightB _) dt place (InPlane _ _ u0 v0) (XY a b) (XY u1 v1) =
+  PathSegment
+    { segmentMiddle = place,
+      segmentRadius = r,
+      segmentAffineLength = dt,
+      segmentLength = dt * sqrt (u * u + v * v),
+      segmentRadialStep = dt * radial / r,
+      segmentVerticalStep = dt * (heightA * u + heightB * v),
+      segmentMomentum = Momentum (negate radial / (r - 1)) ((a * v - b * u) * (x1 * z2 - z1 * x2))
+    }
+  where
+    u = 0.5 * (u0 + u1)
+    v = 0.5 * (v0 + v1)
+    r = sqrt (a * a + b * b)
+    radial = a * u + b * v
 {-# INLINE segmentInPlane #-}
 
 -- | The pseudo-time of a step, from the rule, the squared distance to the hole, the
@@ -332,7 +270,7 @@ followAlone (Leapfrog rule skyRadius limit) region plane@(Plane _ _ heightA heig
           | r2 > sky2 && a * u + b * v > 0 = escaped
           | n >= limit = Followed StepLimit state n
           | abs y <= tallest && insideRegion region place =
-            case gather state (segmentInPlane plane dt place (InPlane a b u v) (Middle u' v')) of
+            case gather state (segmentInPlane plane dt place (InPlane a b u v) (XY ma mb) (XY u' v')) of
               Continue state' -> go (n + 1) a' b' u' v' state'
               Stop state' -> Followed Opaque state' (n + 1)
           | otherwise = go (n + 1) a' b' u' v' state
@@ -347,8 +285,8 @@ followAlone (Leapfrog rule skyRadius limit) region plane@(Plane _ _ heightA heig
             !a' = ma + 0.5 * dt * u'
             !b' = mb + 0.5 * dt * v'
             !y = heightA * ma + heightB * mb
-            place = inSpace plane (Middle ma mb)
-            escaped = case XYZ.normalize (inSpace plane (Middle u v)) of
+            place = placeInSpace plane (XY ma mb)
+            escaped = case XYZ.normalize (placeInSpace plane (XY u v)) of
               Just direction -> Followed (Escaped direction) state n
               -- Reached only by a photon that never had a direction.
               Nothing -> Followed StepLimit state n

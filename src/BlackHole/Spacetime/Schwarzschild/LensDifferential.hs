@@ -3,26 +3,16 @@
 -- | How the directions in which neighbouring light rays reach the celestial sphere
 -- differ.
 module BlackHole.Spacetime.Schwarzschild.LensDifferential
-  ( lensChange,
-    LensChanges (..),
+  ( LensChanges (..),
     lensChanges,
   )
 where
 
+import BlackHole.Spacetime.PathPlane
 import BlackHole.Spacetime.Photon
 import BlackHole.Spacetime.Schwarzschild.LensTable
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^), (^-^))
 import qualified BlackHole.Vector.XYZ as XYZ
-
--- | @lensChange table photon direction neighbour@ is the first-order change of the
--- direction in which a photon of unit energy escapes, towards a neighbour that starts
--- at the same position. The result is a vector tangent to the celestial sphere at
--- @direction@. The neighbour's path turns within its plane by the derivative of the
--- swept angle ('lensSlope'), and its plane differs. 'Nothing' if the photon does not
--- escape, moves radially, or is too close to the critical path.
-lensChange :: LensTable -> Photon -> XYZ -> Photon -> Maybe XYZ
-lensChange table photon direction neighbour =
-  (\(LensChanges change _) -> change) <$> lensChanges table photon direction neighbour neighbour
 
 -- | The changes towards two neighbours.
 data LensChanges
@@ -30,11 +20,15 @@ data LensChanges
       {-# UNPACK #-} !XYZ
       {-# UNPACK #-} !XYZ
 
--- | 'lensChange' towards two neighbours at once, in less than twice the time.
+-- | @lensChanges table photon direction neighbour neighbour@ are the first-order changes
+-- of the direction in which a photon of unit energy escapes, towards two neighbours that
+-- start at the same position. They are vectors tangent to the celestial sphere at
+-- @direction@. A neighbour's path turns within its plane by the derivative of the swept
+-- angle ('lensSlope'), and its plane differs. 'Nothing' if the photon does not escape or
+-- is too close to the critical path.
 lensChanges :: LensTable -> Photon -> XYZ -> Photon -> Photon -> Maybe LensChanges
-lensChanges table (Photon place velocity) direction (Photon _ velocity1) (Photon _ velocity2)
-  | not (r > 0 && tangential > 0) = Nothing
-  | otherwise = case lensSlope table radial tangential of
+lensChanges table photon direction (Photon _ velocity1) (Photon _ velocity2) =
+  case lensSlope table radial tangential of
     Nothing -> Nothing
     Just !slope ->
       let !offset = lensOffset table radial tangential
@@ -52,11 +46,6 @@ lensChanges table (Photon place velocity) direction (Photon _ velocity1) (Photon
             Just change1 | Just change2 <- towards velocity2 -> Just (LensChanges change1 change2)
             _ -> Nothing
   where
-    !r = XYZ.norm place
-    !e1 = (1 / r) *^ place
-    !radial = XYZ.dot velocity e1
-    !across = velocity ^-^ radial *^ e1
-    !tangential = XYZ.norm across
-    !e2 = (1 / tangential) *^ across
+    !(Launch (PathPlane e1 e2) radial tangential) = launch (lensTableRadius table) photon
     !e3 = XYZ.cross e1 e2
     !sine = XYZ.dot direction e2

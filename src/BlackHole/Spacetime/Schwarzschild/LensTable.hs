@@ -8,10 +8,7 @@
 -- about 3000 members: the swept angle, the direction at infinity, and @u@ at waypoints
 -- in between. The other members are interpolated.
 --
--- /The parameter/ is @w = tan(ψ\/4)@: smooth and monotone from 0 (outwards) to 1
--- (inwards), and rational in the components of the velocity. Inside the horizon, where
--- no observer at rest exists to measure ψ, it refers to an observer who falls in from
--- rest at infinity.
+-- /The parameter/ is that of "BlackHole.Spacetime.Schwarzschild.LensFamily".
 --
 -- /The nodes./ Near the critical value @w_c@, where light winds around the photon
 -- sphere for ever, everything varies as the logarithm of @|w − w_c|@. The table
@@ -24,31 +21,24 @@ module BlackHole.Spacetime.Schwarzschild.LensTable
     lensTableRadius,
     lensTableSize,
     lensSeries,
-    lensEnd,
+    lensFate,
     lensSlope,
     lensOffset,
   )
 where
 
 import BlackHole.Numeric.Parallel (inParallel)
+import BlackHole.Spacetime.Fate
+import BlackHole.Spacetime.Schwarzschild.LensFamily
 import BlackHole.Spacetime.Schwarzschild.Orbit
 import BlackHole.Spacetime.Schwarzschild.OrbitSeries
-import BlackHole.Spacetime.Schwarzschild.Radii (criticalImpactParameter)
+import BlackHole.Vector.XY (XY (..))
 import Control.Monad (when)
 import Control.Monad.ST (ST)
 import Data.Bits (unsafeShiftL, unsafeShiftR, (.&.))
 import Data.Foldable (for_)
 import Data.Primitive.PrimArray
 import GHC.Float (castDoubleToWord64)
-
--- | What the parameter of the paths through a point depends on.
-data Family = Family
-  { familyRadius :: {-# UNPACK #-} !Double,
-    -- | √(1 − 1/r), the lapse of an observer at rest; inside the horizon √(1/r), the
-    -- speed of an observer who falls in from rest at infinity.
-    _familyLapse :: {-# UNPACK #-} !Double,
-    familyCritical :: {-# UNPACK #-} !Double
-  }
 
 -- | The tabulated paths through a point.
 data LensTable = LensTable
@@ -69,7 +59,7 @@ lensTable r =
       tableNumbers = mconcat (inParallel (map (blockNumbers family) blocks))
     }
   where
-    family = Family r (if r > 1 then sqrt (1 - 1 / r) else sqrt (1 / r)) (criticalParameter r)
+    family = familyAt r
     blocks = [block family side octave | side <- [minBound ..], octave <- [0 .. octaveCount - 1]]
     offsets = scanl (+) 0 (map blockSize blocks)
 
@@ -84,61 +74,6 @@ lensTableSize = sizeofPrimArray . tableNumbers
 -- | The side of the critical direction.
 data Side = Escaping | Falling
   deriving (Eq, Enum, Bounded)
-
--- | The parameter of the critical photon. With u = 1/r, cos ψ_c is −(1 − 3u/2)√(1 +
--- 3u), which is free of cancellation at r = 3/2.
-criticalParameter :: Double -> Double
-criticalParameter r
-  | r <= 1 =
-    let infall = sqrt (1 / r)
-        t = criticalImpactParameter / r
-     in fallingParameter infall (sqrt (1 + (infall * infall - 1) * t * t)) t
-  | otherwise = quarterTangent cosine (criticalImpactParameter * sqrt (1 - u) * u)
-  where
-    u = 1 / r
-    cosine = (1.5 * u - 1) * sqrt (1 + 3 * u)
-
--- | tan(ψ/4) from cos ψ and sin ψ.
-quarterTangent :: Double -> Double -> Double
-quarterTangent cosine sine = sine / (high + sqrt (2 * high))
-  where
-    -- 1 + cos ψ.
-    high
-      | cosine < 0 = sine * sine / (1 - cosine)
-      | otherwise = 1 + cosine
-{-# INLINE quarterTangent #-}
-
--- | tan(ψ/4) for an observer who falls at this speed, from the velocity of a photon of
--- unit energy. Where an observer at rest exists, this is the aberration of what that
--- observer sees.
-fallingParameter :: Double -> Double -> Double -> Double
-fallingParameter infall radial tangential = half / (1 + sqrt (1 + half * half))
-  where
-    half = tangential * (1 + infall) / (1 + radial)
-{-# INLINE fallingParameter #-}
-
--- | The parameter of a photon of unit energy.
-parameterOf :: Family -> Double -> Double -> Double
-parameterOf (Family r lapse _) radial tangential
-  | r > 1 = quarterTangent radial (tangential * lapse)
-  | otherwise = fallingParameter lapse radial tangential
-{-# INLINE parameterOf #-}
-
--- | The radial and tangential pseudo-velocity of a member of the family. The tangential
--- component is negative beyond both ends of the parameter's range, where the family
--- continues as its mirror image.
-velocityAt :: Family -> Double -> (Double, Double)
-velocityAt (Family r lapse _) w
-  | r > 1 =
-    let halfCosine = (1 - w * w) / (1 + w * w)
-        halfSine = 2 * w / (1 + w * w)
-     in ( (halfCosine - halfSine) * (halfCosine + halfSine),
-          2 * halfSine * halfCosine / lapse
-        )
-  | otherwise =
-    let half = 2 * w / (1 - w * w)
-        t = 2 * half / ((1 + lapse) - (lapse - 1) * half * half)
-     in (sqrt (1 + (lapse * lapse - 1) * t * t), t)
 
 -- | Number of octaves of the distance from the critical parameter, from 1 downwards.
 octaveCount :: Int
@@ -231,10 +166,9 @@ blockNumbers family b = runPrimArray $ do
         put (headSize + 2 * j) u0 u1 u2
         put (headSize + 2 * j + 1) (slope0 * d0) (slope1 * d1) (slope2 * d2)
     angleOf (Member sign path) = sign * seriesAngle (orbitSeries path)
-    leaving series = case seriesEnd series of
-      Leaves c s -> (c, s)
-      FallsIn -> (0, 0)
-      CirclesOn -> (0, 0)
+    leaving series = case seriesFate series of
+      Escaped (XY c s) -> (c, s)
+      _ -> (0, 0)
     -- In units of an interval. The error of the cubic far exceeds that of this
     -- difference.
     apart = 0.01
@@ -300,23 +234,23 @@ lensSeries table !radial !tangential = case find table radial tangential of
         weights@(Weights v0 d0 v1 d1) = weightsAt t
         at = mixed numbers weights row row'
         end
-          | falling = FallsIn
-          | otherwise = Leaves (at 1) (at 2)
+          | falling = Captured
+          | otherwise = Escaped (XY (at 1) (at 2))
      in OrbitSeries end (max 0 (at 0)) cells (BetweenRows numbers (row + 2 * headSize) (row' + 2 * headSize) v0 d0 v1 d1)
   where
     numbers = tableNumbers table
 {-# INLINE lensSeries #-}
 
--- | The end of the path that 'lensSeries' returns, without the path.
-lensEnd :: LensTable -> Double -> Double -> SeriesEnd
-lensEnd table !radial !tangential = case find table radial tangential of
-  Beyond -> seriesEnd (closedForm table radial tangential)
+-- | The fate of the path that 'lensSeries' returns, without the path.
+lensFate :: LensTable -> Double -> Double -> Fate XY
+lensFate table !radial !tangential = case find table radial tangential of
+  Beyond -> seriesFate (closedForm table radial tangential)
   Between row cells t _ falling
-    | falling -> FallsIn
+    | falling -> Captured
     | otherwise ->
       let at = mixed (tableNumbers table) (weightsAt t) row (row + rowSize cells)
-       in Leaves (at 1) (at 2)
-{-# INLINE lensEnd #-}
+       in Escaped (XY (at 1) (at 2))
+{-# INLINE lensFate #-}
 
 closedForm :: LensTable -> Double -> Double -> OrbitSeries
 closedForm table radial tangential = orbitSeries (orbit (lensTableRadius table) radial tangential)

@@ -28,30 +28,33 @@ module BlackHole.Spacetime.Schwarzschild.Orbit
     orbitInverseRadiusAndSlope,
 
     -- * Their properties
-    OrbitFate (..),
     orbitFate,
+    orbitSweep,
     TurningPoint (..),
     orbitTurningPoint,
     orbitClosestApproach,
     orbitImpactParameter,
     orbitInvariant,
-
-    -- * Light from infinity to infinity
-    deflectionAngle,
-    closestApproach,
   )
 where
 
 import BlackHole.Numeric.Elliptic
-import BlackHole.Spacetime.Schwarzschild.Radii (criticalImpactParameter, photonSphereRadius)
+import BlackHole.Spacetime.Fate
+import BlackHole.Spacetime.Schwarzschild.OrbitShape
+import BlackHole.Spacetime.Schwarzschild.Radii (photonSphereRadius)
+import BlackHole.Vector.XY (XY (..))
 
 -- | The path of one photon from its start onwards.
 data Orbit = Orbit
   { -- | @1\/b²@ in the orbit equation @(du\/dφ)² = 1\/b² − u² + u³@. Infinite for a
     -- radial photon.
     orbitInvariant :: {-# UNPACK #-} !Double,
-    -- | Where the path ends.
-    orbitFate :: !OrbitFate,
+    -- | How the path ends: at infinity, at the horizon, or never, for a photon that
+    -- approaches the photon sphere or circles on it.
+    orbitFate :: !(Fate XY),
+    -- | The angle in radians that the path sweeps from its start to its end: infinite for
+    -- one that never ends, 0 for a photon that starts inside the horizon and moves inward.
+    orbitSweep :: {-# UNPACK #-} !Double,
     -- | Where the photon, /after/ its start, turns from inward to outward or from
     -- outward to inward. A photon turns at most once. A start exactly at such a point
     -- counts, with the angle 0.
@@ -64,17 +67,15 @@ data Orbit = Orbit
     orbitPath :: !Path
   }
 
--- | The end of a photon's path. Swept angles are in radians from the start.
-data OrbitFate
-  = -- | The photon goes to infinity; the angle swept up to there.
-    Escapes {-# UNPACK #-} !Double
-  | -- | The photon falls through the horizon; the angle swept when it crosses @r = 1@
-    -- inward. The angle is 0 for a photon that starts inside and moves inward.
-    Captured {-# UNPACK #-} !Double
-  | -- | The photon approaches the photon sphere for ever, or circles on it. This
-    -- happens only for a start that is critical to the last bit.
-    Circles
-  deriving (Eq, Show)
+-- | The fate of a path and the angle that it sweeps.
+data End = End !(Fate XY) {-# UNPACK #-} !Double
+
+escapesAfter, capturedAfter :: Double -> End
+escapesAfter angle = End (Escaped (XY (cos angle) (sin angle))) angle
+capturedAfter = End Captured
+
+endless :: End
+endless = End Circles (1 / 0)
 
 -- | The closest or farthest point of a path.
 data TurningPoint = TurningPoint
@@ -85,42 +86,6 @@ data TurningPoint = TurningPoint
     turningRadius :: {-# UNPACK #-} !Double
   }
   deriving (Eq, Show)
-
--- | The forms of the solution. Phases are arguments of the elliptic functions, measured
--- from @u₁@ or from the centre, and negative while moving towards it.
-data Path
-  = -- | Between @u₁@ and @u₂@: @u = u₁ + (u₂ − u₁) sn²@.
-    Outside
-      {-# UNPACK #-} !Double -- u₁
-      {-# UNPACK #-} !Double -- u₂ − u₁
-      {-# UNPACK #-} !Double -- phase at the start
-      {-# UNPACK #-} !Double -- phase per radian
-      !Modulus
-  | -- | Beyond @u₃@: @u = u₁ + (u₃ − u₁) \/ sn²@.
-    Inside
-      {-# UNPACK #-} !Double -- u₁
-      {-# UNPACK #-} !Double -- u₃ − u₁
-      {-# UNPACK #-} !Double -- phase at the start
-      {-# UNPACK #-} !Double -- phase per radian
-      !Modulus
-  | -- | One real root: @u = u₁ + A tan² (am\/2)@.
-    Phased
-      {-# UNPACK #-} !Double -- u₁
-      {-# UNPACK #-} !Double -- A
-      {-# UNPACK #-} !Double -- phase at the start
-      {-# UNPACK #-} !Double -- phase per radian, √A
-      !Modulus
-  | -- | One real root, in terms of the values at the start.
-    Plunging
-      {-# UNPACK #-} !Double -- u at the start
-      {-# UNPACK #-} !Double -- du/dφ at the start
-      {-# UNPACK #-} !Double -- A
-      {-# UNPACK #-} !Double -- u − u₁ at the start
-      {-# UNPACK #-} !Double -- m₁
-      {-# UNPACK #-} !Double -- phase per radian, √A
-      !Modulus
-  | -- | Constant @u@: a circling or a radial photon.
-    Constant {-# UNPACK #-} !Double
 
 -- | The orbit of a photon from its starting radius @r > 0@ (in Schwarzschild radii; the
 -- start may lie inside the horizon) and the components of its pseudo-velocity: radial
@@ -172,7 +137,8 @@ radialOrbit :: Double -> Double -> Orbit
 radialOrbit u0 vr =
   Orbit
     { orbitInvariant = 1 / 0,
-      orbitFate = if vr > 0 then Escapes 0 else Captured 0,
+      orbitFate = if vr > 0 then Escaped (XY 1 0) else Captured,
+      orbitSweep = 0,
       orbitTurningPoint = Nothing,
       orbitLastAngle = 0,
       orbitExcess = -1 / 0,
@@ -184,60 +150,12 @@ circularOrbit u0 invariant =
   Orbit
     { orbitInvariant = invariant,
       orbitFate = Circles,
+      orbitSweep = 1 / 0,
       orbitTurningPoint = Nothing,
       orbitLastAngle = 1 / 0,
       orbitExcess = 0,
       orbitPath = Constant u0
     }
-
--- | The three real roots of @u³ − u² + 1\/b²@, and the differences that the closed
--- forms need.
-data Roots = Roots
-  { rootLow :: {-# UNPACK #-} !Double,
-    -- | @u₂@.
-    rootMiddle :: {-# UNPACK #-} !Double,
-    -- | @u₃@.
-    rootHigh :: {-# UNPACK #-} !Double,
-    -- | @2\/3 − u₂@ and @u₃ − 2\/3@.
-    rootMiddleGap :: {-# UNPACK #-} !Double,
-    rootHighGap :: {-# UNPACK #-} !Double,
-    -- | @1 − u₃@.
-    rootHorizonGap :: {-# UNPACK #-} !Double,
-    -- | @u₃ − u₂@, @u₂ − u₁@, @u₃ − u₁@.
-    rootUpperSpan :: {-# UNPACK #-} !Double,
-    rootLowerSpan :: {-# UNPACK #-} !Double,
-    rootFullSpan :: {-# UNPACK #-} !Double
-  }
-
--- | The roots for @1\/b²@ and @4\/27 − 1\/b²@, both at least 0.
---
--- Viète's angle of the cubic is computed from both ends: @s + t = π\/3@, where @s@
--- vanishes with @4\/27 − 1\/b²@ and @t@ with @1\/b²@. Each difference of roots is then
--- a multiple of one sine and has full relative accuracy.
-roots :: Double -> Double -> Roots
-roots invariant excess =
-  Roots
-    { rootLow = bend - sinT,
-      rootMiddle = bend + sinT,
-      rootHigh = 1 - horizonGap,
-      rootMiddleGap = sinS + sag,
-      rootHighGap = sinS - sag,
-      rootHorizonGap = horizonGap,
-      rootUpperSpan = 2 * sinS,
-      rootLowerSpan = 2 * sinT,
-      rootFullSpan = sinT + cos t
-    }
-  where
-    p = sqrt invariant
-    q = sqrt excess
-    s = 2 / 3 * atan2 q p
-    t = 2 / 3 * atan2 p q
-    sinS = sin s / sqrt 3
-    sinT = sin t / sqrt 3
-    sag = twoThirdsSineSquared (0.5 * s)
-    bend = twoThirdsSineSquared (0.5 * t)
-    horizonGap = 2 * bend
-    twoThirdsSineSquared x = let y = sin x in 2 / 3 * y * y
 
 -- | From outside the photon sphere with @b ≥ b_c@: inwards to the closest point and out
 -- again, or straight outwards.
@@ -246,6 +164,7 @@ outsideOrbit (Start u0 epsilon slope invariant excess) =
   Orbit
     { orbitInvariant = invariant,
       orbitFate = fate,
+      orbitSweep = sweep,
       orbitTurningPoint = turning,
       orbitLastAngle = (if inward then 2 * k - phase else phase) / rate,
       orbitExcess = excess,
@@ -268,10 +187,10 @@ outsideOrbit (Start u0 epsilon slope invariant excess) =
         (u0 - u1)
         (slope * slope / ((u0 - u1) * (rootHighGap rt - epsilon)))
     phaseAtInfinity = firstQuadrantF m1 (-u1) (rootMiddle rt)
-    fate
-      | not inward = Escapes ((phase - phaseAtInfinity) / rate)
-      | m1 <= 0 = Circles
-      | otherwise = Escapes ((2 * k - phaseAtInfinity - phase) / rate)
+    End fate sweep
+      | not inward = escapesAfter ((phase - phaseAtInfinity) / rate)
+      | m1 <= 0 = endless
+      | otherwise = escapesAfter ((2 * k - phaseAtInfinity - phase) / rate)
     turning
       | inward && m1 > 0 =
         Just $! TurningPoint (max 0 ((k - phase) / rate)) (1 / rootMiddle rt)
@@ -284,6 +203,7 @@ insideOrbit (Start u0 epsilon slope invariant excess) =
   Orbit
     { orbitInvariant = invariant,
       orbitFate = fate,
+      orbitSweep = sweep,
       orbitTurningPoint = turning,
       orbitLastAngle = (if inward then phase else 2 * k - phase) / rate,
       orbitExcess = excess,
@@ -304,10 +224,10 @@ insideOrbit (Start u0 epsilon slope invariant excess) =
         (rootFullSpan rt)
         (slope * slope / ((u0 - u1) * (epsilon + rootMiddleGap rt)))
     phaseAtHorizon = firstQuadrantF m1 (rootFullSpan rt) (rootHorizonGap rt)
-    fate
-      | inward = Captured (max 0 ((phase - phaseAtHorizon) / rate))
-      | m1 <= 0 = Circles
-      | otherwise = Captured ((2 * k - phaseAtHorizon - phase) / rate)
+    End fate sweep
+      | inward = capturedAfter (max 0 ((phase - phaseAtHorizon) / rate))
+      | m1 <= 0 = endless
+      | otherwise = capturedAfter ((2 * k - phaseAtHorizon - phase) / rate)
     turning
       | not inward && m1 > 0 =
         Just $! TurningPoint (max 0 ((k - phase) / rate)) (1 / rootHigh rt)
@@ -319,6 +239,7 @@ plungingOrbit (Start u0 epsilon slope invariant excess) =
   Orbit
     { orbitInvariant = invariant,
       orbitFate = fate,
+      orbitSweep = sweep,
       orbitTurningPoint = Nothing,
       orbitLastAngle = (if inward then 2 * k - phase else phase) / rate,
       orbitExcess = excess,
@@ -361,10 +282,10 @@ plungingOrbit (Start u0 epsilon slope invariant excess) =
     -- 1/b.
     refined target angle = angle + (target - inverseRadiusOn path angle) / endSlope
     endSlope = if inward then sqrt invariant else -(sqrt invariant)
-    fate
-      | inward && u0 >= 1 = Captured 0
-      | inward = Captured (max 0 (refined 1 ((phaseOf (1 - u1) (1 / 3) - phase) / rate)))
-      | otherwise = Escapes (refined 0 ((phase - phaseOf (-u1) (-2 / 3)) / rate))
+    End fate sweep
+      | inward && u0 >= 1 = capturedAfter 0
+      | inward = capturedAfter (max 0 (refined 1 ((phaseOf (1 - u1) (1 / 3) - phase) / rate)))
+      | otherwise = escapesAfter (refined 0 ((phase - phaseOf (-u1) (-2 / 3)) / rate))
 
 -- | The inverse radius @u = 1\/r@ after the photon has swept an angle in radians, at
 -- least 0. Angles beyond the end of the path are safe: from the angle of escape on the
@@ -398,24 +319,6 @@ orbitInverseRadiusAndSlope o angle = case orbitPath o of
     -- A lazy pair would keep the whole orbit alive in two thunks.
     strictPair !u !w = (u, w)
 
-inverseRadiusOn :: Path -> Double -> Double
-inverseRadiusOn path !phi = case path of
-  Outside u1 span21 phase rate md -> u1 + span21 * snSquared md (phase + rate * phi)
-  Inside u1 span31 phase rate md -> u1 + span31 / snSquared md (phase + rate * phi)
-  Phased u1 a phase rate md ->
-    let t = tanHalfAmplitude md (phase + rate * phi)
-     in u1 + a * t * t
-  Plunging u0 slope a height m1 rate md ->
-    -- Whittaker and Watson 20.6 with 4℘(φ) + 1/3 = u₁ + A/t², without the poles at φ =
-    -- 0.
-    let t = tanHalfAmplitude md (rate * phi)
-        t2 = t * t
-        g = a - height * t2
-        curl = a * rate * sqrt ((1 - t2) * (1 - t2) + 4 * m1 * t2)
-        halfForce = u0 * (3 * u0 - 2)
-     in u0 + (2 * slope * (slope * t2 * t2 + curl * t) + halfForce * t2 * g) / (g * g)
-  Constant u -> u
-
 -- | The radius of the point closest to the hole, if the photon passes it after its
 -- start or starts there. 'Nothing' for photons that move outwards, fall in, or turn at
 -- a farthest point.
@@ -428,54 +331,3 @@ orbitClosestApproach o = case orbitTurningPoint o of
 -- for one of zero energy (inside the horizon).
 orbitImpactParameter :: Orbit -> Double
 orbitImpactParameter o = 1 / sqrt (orbitInvariant o)
-
--- | The deflection in radians of light that comes from infinity and returns there, by
--- its impact parameter. 'Nothing' if the light does not return: for @b@ at or below the
--- true @3√3\/2@, and for NaN.
---
--- The relative accuracy is a few 1e-16 for large @b@; the absolute accuracy is 1e-15
--- for small @b@ and 1e-16 \/ (b − b_c) near the critical value.
---
--- Source: Darwin 1959. Beyond @b = 20@, where the closed form would be a small
--- difference from π, the expansion in @1\/b@ with the terms @√π Γ((3n+1)\/2) \/ (n!
--- Γ(n\/2+1)) b⁻ⁿ@ replaces it, with at most twenty terms.
-deflectionAngle :: Double -> Maybe Double
-deflectionAngle b
-  | b > 20 = Just (weakField (1 / b))
-  | b > 0 && excess > 0 = Just (2 * halfSweep - pi)
-  | otherwise = Nothing
-  where
-    excess = excessOf b
-    rt = roots (1 / (b * b)) excess
-    m1 = rootUpperSpan rt / rootFullSpan rt
-    halfSweep =
-      2 / sqrt (rootFullSpan rt)
-        * (completeK m1 - firstQuadrantF m1 (-(rootLow rt)) (rootMiddle rt))
-
--- | @4\/27 − 1\/b²@, exact to the last digit of @b@: corrected by the difference
--- between the 'Double' next to @3√3\/2@ and that number.
-excessOf :: Double -> Double
-excessOf b = 4 / 27 * gap / b * ((b + criticalImpactParameter) / b)
-  where
-    gap = (b - criticalImpactParameter) + 7.151834159792767e-17
-
--- | The sum of the expansion of the deflection in @1\/b@, without the term π.
-weakField :: Double -> Double
-weakField x = go 1 (2 * x) (15 / 16 * pi * x * x) 0
-  where
-    -- The ratio of every other term is rational.
-    go :: Double -> Double -> Double -> Double -> Double
-    go !n !term !following !total
-      | term <= 1e-18 * total = total
-      | otherwise = go (n + 1) following (term * ratio n) (total + term)
-    ratio n = 0.75 * (3 * n + 1) * (3 * n + 5) / ((n + 2) * (n + 2)) * x * x
-
--- | The closest approach @r₀@ of light from infinity in Schwarzschild radii, by its
--- impact parameter; 'Nothing' as for 'deflectionAngle'. The relative accuracy is 1e-15,
--- except near @b_c@, where @r₀ − 3\/2@ varies as @√(b − b_c)@.
-closestApproach :: Double -> Maybe Double
-closestApproach b
-  | b > 0 && excess > 0 = Just (1 / rootMiddle (roots (1 / b / b) excess))
-  | otherwise = Nothing
-  where
-    excess = excessOf b

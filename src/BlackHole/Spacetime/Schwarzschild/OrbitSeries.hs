@@ -7,7 +7,6 @@
 -- "BlackHole.Spacetime.Schwarzschild.TablePath" follows light along such paths.
 module BlackHole.Spacetime.Schwarzschild.OrbitSeries
   ( OrbitSeries (..),
-    SeriesEnd (..),
     Waypoints (..),
     seriesSpacing,
     waypoint,
@@ -22,27 +21,20 @@ module BlackHole.Spacetime.Schwarzschild.OrbitSeries
   )
 where
 
+import BlackHole.Spacetime.Fate
 import BlackHole.Spacetime.Schwarzschild.Orbit
+import BlackHole.Vector.XY (XY (..))
 import Data.Primitive.PrimArray (PrimArray, indexPrimArray)
 
 -- | A path from its start to its end. Angles are in radians from the start.
 data OrbitSeries = OrbitSeries
-  { seriesEnd :: !SeriesEnd,
-    -- | The angle swept up to the end, at least 0.
+  { seriesFate :: !(Fate XY),
+    -- | The angle swept up to the end, at least 0; some angle for a path without end.
     seriesAngle :: {-# UNPACK #-} !Double,
     -- | The number of cells of equal angle, at least 1.
     seriesCells :: {-# UNPACK #-} !Int,
     seriesWaypoints :: !Waypoints
   }
-
--- | The end of a path.
-data SeriesEnd
-  = -- | At infinity; cosine and sine of the swept angle.
-    Leaves {-# UNPACK #-} !Double {-# UNPACK #-} !Double
-  | -- | At the horizon.
-    FallsIn
-  | -- | Nowhere: only for a start that is critical to the last bit.
-    CirclesOn
 
 -- | The source of the values in the middles of the cells.
 data Waypoints
@@ -92,19 +84,18 @@ widestCell = 0.4
 
 -- | The path of an orbit in closed form.
 orbitSeries :: Orbit -> OrbitSeries
-orbitSeries path = case orbitFate path of
-  Escapes angle -> series (Leaves (cos angle) (sin angle)) angle
-  Captured angle -> series FallsIn angle
-  Circles -> series CirclesOn 100
+orbitSeries path = OrbitSeries (orbitFate path) angle (max 2 (ceiling (angle / widestCell))) (OfOrbit path)
   where
-    series end angle = OrbitSeries end angle (max 2 (ceiling (angle / widestCell))) (OfOrbit path)
+    angle
+      | isInfinite (orbitSweep path) = 100
+      | otherwise = orbitSweep path
 
 -- | The straight line that passes the centre at the distance @b@, from the inverse
 -- radius and slope at its start. It ends on the black ball of radius one if it hits it.
 lineSeries :: Double -> Double -> OrbitSeries
 lineSeries u slope
-  | meets = series FallsIn (angleAt 1)
-  | otherwise = series (Leaves (cos leaving) (sin leaving)) leaving
+  | meets = series Captured (angleAt 1)
+  | otherwise = series (Escaped (XY (cos leaving) (sin leaving))) leaving
   where
     steepest = sqrt (u * u + slope * slope)
     -- u = steepest · sin(φ + start).

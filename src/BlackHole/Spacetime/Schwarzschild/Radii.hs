@@ -3,7 +3,6 @@
 module BlackHole.Spacetime.Schwarzschild.Radii
   ( horizonRadius,
     photonSphereRadius,
-    marginallyBoundRadius,
     iscoRadius,
     criticalImpactParameter,
   )
@@ -16,10 +15,6 @@ horizonRadius = 1
 -- | The photon sphere, on which light can circle, unstably.
 photonSphereRadius :: Double
 photonSphereRadius = 1.5
-
--- | The marginally bound circular orbit of matter, whose energy equals its rest mass.
-marginallyBoundRadius :: Double
-marginallyBoundRadius = 2
 
 -- | The innermost stable circular orbit of matter.
 iscoRadius :: Double

@@ -22,9 +22,9 @@ spec = do
                 innerHorizonRadius,
                 photonOrbitRadius RightHanded,
                 photonOrbitRadius LeftHanded,
-                polarPhotonOrbitRadius,
-                marginallyBoundRadius RightHanded,
-                marginallyBoundRadius LeftHanded,
+                (`sphericalOrbitRadius` 0),
+                marginallyBoundRadius,
+                marginallyBoundRadius . mirror,
                 iscoRadius RightHanded,
                 iscoRadius LeftHanded
               ]
@@ -33,13 +33,13 @@ spec = do
   it "are Schwarzschild's without spin" $
     map
       ($ spinOf 0)
-      [horizonRadius, innerHorizonRadius, photonOrbitRadius RightHanded, polarPhotonOrbitRadius, marginallyBoundRadius LeftHanded, iscoRadius RightHanded, (`ergosphereRadius` 0.3)]
-      `shouldSatisfy` (all ((< 1e-15) . abs) . zipWith (-) [1, 0, 1.5, 1.5, 2, 3, 1])
+      [horizonRadius, innerHorizonRadius, photonOrbitRadius RightHanded, (`sphericalOrbitRadius` 0), iscoRadius RightHanded, (`ergosphereRadius` 0.3)]
+      `shouldSatisfy` (all ((< 1e-15) . abs) . zipWith (-) [1, 0, 1.5, 1.5, 3, 1])
   it "exist for spins within (−1, 1) only" $
     map (isJust . spin) [-1, -0.9999, 0, 0.9999, 1, 1.5, 0 / 0] `shouldBe` [False, True, True, True, False, False, False]
   prop "lie in their order outside the horizon" $ \(Spinning hole) ->
     counterexample (show hole) $
-      let ascending = [innerHorizonRadius hole, horizonRadius hole, prograde photonOrbitRadius hole, prograde marginallyBoundRadius hole, prograde iscoRadius hole]
+      let ascending = [innerHorizonRadius hole, horizonRadius hole, prograde photonOrbitRadius hole, prograde iscoRadius hole]
        in and (zipWith (<=) ascending (drop 1 ascending))
   prop "mirror the hole with its spin" $ \(Spinning hole) ->
     let mirrored = spinOf (negate (dimensionlessSpin hole))
@@ -51,6 +51,9 @@ spec = do
         x = sqrt (2 * iscoRadius RightHanded hole)
      in counterexample (show (s, x)) (abs (x ** 4 - 6 * x * x + 8 * s * x - 3 * s * s) < 1e-12)
   where
+    -- Of the circular orbit whose energy is the rest mass.
+    marginallyBoundRadius hole = let s = dimensionlessSpin hole in 0.5 * (2 - s + 2 * sqrt (1 - s))
+    mirror = spinOf . negate . dimensionlessSpin
     prograde radius hole = radius (if dimensionlessSpin hole < 0 then LeftHanded else RightHanded) hole
 
 -- | Spins from both signs up to 0.9999.

@@ -1,10 +1,13 @@
 module BlackHole.Spacetime.Kerr.PathSpec (spec) where
 
-import BlackHole.Spacetime.Kerr.GasFlow
+import BlackHole.Matter.KerrFlow
+import BlackHole.Spacetime.Fate
 import BlackHole.Spacetime.Kerr.Landmarks
 import BlackHole.Spacetime.Kerr.Path
 import BlackHole.Spacetime.Kerr.Sight
+import BlackHole.Spacetime.Momentum
 import qualified BlackHole.Spacetime.Schwarzschild.Orbit as Orbit
+import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Maybe (fromMaybe)
@@ -37,7 +40,7 @@ spec = do
             maybe (pure ()) (\time -> kerrMinoTime path `relatively` (1e-12, time)) (rayMinoTime row)
             case (kerrFate path, rayEscape row) of
               (Captured, Nothing) -> pure ()
-              (Escapes to, Just there) -> (rayName row, XYZ.distance to there) `shouldSatisfy` ((< 1e-15 * raySegment row + 1e-12) . snd)
+              (Escaped to, Just there) -> (rayName row, XYZ.distance to there) `shouldSatisfy` ((< 1e-15 * raySegment row + 1e-12) . snd)
               (fate, _) -> expectationFailure (rayName row ++ ": " ++ show fate)
           | row <- rays,
             let path = pathOf row
@@ -76,7 +79,7 @@ spec = do
               end = kerrAdvance (spinLength hole) (rayLambda ray) (rayEta ray) time (1 + ceiling (time / pace)) start
               (x, y, z) = kerrDirection end
               reached = case kerrFate path of
-                Escapes to -> to
+                Escaped to -> to
                 _ -> let point = kerrPoint path time in direct point
            in counterexample (show (rayLambda ray, rayEta ray, kerrMinoTime path)) $
                 isInfinite time .||. nearXYZ 1e-7 (XYZ x y z) reached
@@ -96,9 +99,9 @@ spec = do
               ray = look hole (Place r theta) direction
               orbit = Orbit.orbit r (nr * sqrt (1 - 1 / r)) (sqrt (1 - nr * nr))
            in case (kerrFate (kerrPath hole (BoyerLindquist 0) ray), Orbit.orbitFate orbit) of
-                (Captured, Orbit.Captured _) -> property True
-                (Escapes to, Orbit.Escapes angle) ->
-                  counterexample (show (to, angle)) (abs (cos angle - XYZ.dot to (XYZ 0 (cos theta) (sin theta))) < 1e-7)
+                (Captured, Captured) -> property True
+                (Escaped to, Escaped (XY cosine _)) ->
+                  counterexample (show (to, cosine)) (abs (cosine - XYZ.dot to (XYZ 0 (cos theta) (sin theta))) < 1e-7)
                 (fate, other) -> counterexample (show (fate, other)) (nearlyCritical ray)
 
   describe "special rays" $ do
@@ -111,13 +114,13 @@ spec = do
       let path = kerrPath (spinOf 0.9) (BoyerLindquist 0) (look (spinOf 0.9) (Place 20 (0.5 * pi)) (aimed 0.3 0))
       length (kerrPlanePoints path) `shouldBe` 0
       case kerrFate path of
-        Escapes (XYZ _ y _) -> y `shouldBeWithin` (1e-14, 0)
+        Escaped (XYZ _ y _) -> y `shouldBeWithin` (1e-14, 0)
         fate -> expectationFailure (show fate)
     it "of an observer at rest need a place outside the ergosphere" $
       [fmap rayRadius (lightRay (spinOf 0.9) (Place 0.9 theta) AtRest (aimed 0.3 0)) | theta <- [0.1, 0.5 * pi]] `shouldBe` [Just 0.9, Nothing]
     it "of a falling observer pass the horizon without a jump" $ do
       let outward r = case kerrFate (kerrPath hole (Ingoing 0) (fromMaybe (error "dark") (lightRay hole (Place r 1.2) InFreeFall (aimed 2.2 0.4)))) of
-            Escapes to -> to
+            Escaped to -> to
             _ -> XYZ 0 0 0
           hole = spinOf 0.9
           edge = horizonRadius hole
@@ -126,23 +129,23 @@ spec = do
     rayOf row = fromMaybe (error (rayName row)) (lightRay (raySpin row) (rayPlace row) (rayMotion row) (rayDirection row))
     pathOf row = kerrPath (raySpin row) (if rayMotion row == InFreeFall then Ingoing 0 else BoyerLindquist 0) (rayOf row)
     mirrored hole = spinOf (negate (dimensionlessSpin hole))
-    shift hole ray point = maybe (0 / 0) (rayObserved ray /) (planeFrequency (gasFlow hole) ray (pointRadius point) (pointGrows point))
+    shift hole ray point = rayObserved ray / kerrPlaneFrequency (kerrFlow hole) ray (pointRadius point) (Momentum (if pointGrows point then -1 else 1) (rayLambda ray))
     look hole place direction = fromMaybe (error "no such observer") (lightRay hole place AtRest direction)
     captured path = kerrFate path == Captured
     direct point =
       let s = sqrt (1 - pointCosine point * pointCosine point)
        in XYZ (s * sin (pointAzimuth point)) (pointCosine point) (s * cos (pointAzimuth point))
     flipped fate = case fate of
-      Escapes (XYZ x y z) -> Escapes (XYZ x (negate y) z)
+      Escaped (XYZ x y z) -> Escaped (XYZ x (negate y) z)
       _ -> fate
     upwards fate = case fate of
-      Escapes to -> XYZ.distance to (XYZ 0 1 0) < 1e-12
+      Escaped to -> XYZ.distance to (XYZ 0 1 0) < 1e-12
       _ -> False
     reversed fate = case fate of
-      Escapes (XYZ x y z) -> Escapes (XYZ (negate x) y z)
+      Escaped (XYZ x y z) -> Escaped (XYZ (negate x) y z)
       _ -> fate
     sameFate fate other = case (fate, other) of
-      (Escapes a, Escapes b) -> nearXYZ 1e-8 a b
+      (Escaped a, Escaped b) -> nearXYZ 1e-8 a b
       _ -> fate === other
     nearlyCritical ray = abs (sqrt (rayEta ray + rayLambda ray * rayLambda ray) - 2.598) < 1e-3
 

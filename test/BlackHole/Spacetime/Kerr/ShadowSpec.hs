@@ -1,5 +1,6 @@
 module BlackHole.Spacetime.Kerr.ShadowSpec (spec) where
 
+import BlackHole.Spacetime.Fate
 import BlackHole.Spacetime.Kerr.Landmarks
 import BlackHole.Spacetime.Kerr.Path
 import BlackHole.Spacetime.Kerr.Shadow
@@ -66,5 +67,5 @@ spec = do
        in aimed psi eta
     fate hole place direction = case kerrFate . kerrPath hole (BoyerLindquist 0) <$> lightRay hole place AtRest direction of
       Just Captured -> "captured"
-      Just (Escapes _) -> "escapes"
+      Just (Escaped _) -> "escapes"
       _ -> "neither"

@@ -1,6 +1,6 @@
 module BlackHole.Spacetime.Kerr.WorldLineSpec (spec) where
 
-import BlackHole.Spacetime.Kerr.GasFlow
+import BlackHole.Matter.KerrFlow
 import BlackHole.Spacetime.Kerr.Landmarks
 import BlackHole.Spacetime.Kerr.WorldLine
 import BlackHole.Spacetime.Schwarzschild.FreeFall
@@ -31,5 +31,5 @@ spec = do
         a = spinLength hole
         -- u^t of the circular geodesic (Bardeen, Press and Teukolsky 1972).
         timeRate = (sqrt 2 * r ** 1.5 + a) / sqrt (2 * r ** 3 - 3 * r * r + 2 * sqrt 2 * a * r ** 1.5)
-    fromMaybe 0 (kerrOrbitalPhase hole r 1) `shouldBeWithin` (1e-13, timeRate * orbitalRate (gasFlow hole) r)
+    fromMaybe 0 (kerrOrbitalPhase hole r 1) `shouldBeWithin` (1e-13, timeRate * kerrOrbitalRate (kerrFlow hole) r)
     kerrOrbitalPhase hole (photonOrbitRadius RightHanded hole) 1 `shouldSatisfy` isNothing

@@ -6,7 +6,8 @@ import BlackHole.Spacetime.Fate
 import BlackHole.Spacetime.LightPath
 import BlackHole.Spacetime.Photon
 import BlackHole.Spacetime.Schwarzschild.Leapfrog
-import BlackHole.Spacetime.Schwarzschild.Orbit (OrbitFate (Escapes), orbit, orbitFate)
+import BlackHole.Spacetime.Schwarzschild.LeapfrogStep
+import BlackHole.Spacetime.Schwarzschild.Orbit (orbit, orbitFate, orbitSweep)
 import BlackHole.Spacetime.Schwarzschild.Radii (criticalImpactParameter)
 import BlackHole.Spacetime.Types
 import BlackHole.Vector.XYZ (XYZ (..))
@@ -101,19 +102,20 @@ directionBy rule =
 
 -- | Where it escapes to by the closed form.
 exactDirection :: Double -> XYZ
-exactDirection b = case orbitFate (orbit 30 radial b') of
-  Escapes swept -> XYZ (sin (alpha + swept)) 0 (cos (alpha + swept))
+exactDirection b = case orbitFate path of
+  Escaped _ -> XYZ (sin (alpha + orbitSweep path)) 0 (cos (alpha + orbitSweep path))
   _ -> XYZ.zero
   where
+    path = orbit 30 radial b'
     Photon x@(XYZ px _ pz) v = aimedAt b
     alpha = atan2 px pz
     radial = XYZ.dot x v / 30
     b' = b / 30
 
-fateOf :: Photon -> Fate
+fateOf :: Photon -> Fate XYZ
 fateOf = fateAfter 200000
 
-fateAfter :: Int -> Photon -> Fate
+fateAfter :: Int -> Photon -> Fate XYZ
 fateAfter limit photon =
   followedFate (followLeapfrog defaultLeapfrog {leapfrogStepLimit = limit} Schwarzschild emptyRegion photon (\() _ -> Continue ()) ())
 

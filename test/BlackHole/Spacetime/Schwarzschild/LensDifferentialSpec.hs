@@ -30,8 +30,8 @@ spec =
                     (Just here, Just there)
                       | abs (fromMaybe 0 (impactParameter photon) - 2.598076211353316) > 0.05 ->
                         let expected = (1 / step) *^ (there ^-^ here)
-                         in case lensChange table photon here neighbour of
-                              Just change ->
+                         in case lensChanges table photon here neighbour neighbour of
+                              Just (LensChanges change _) ->
                                 counterexample (show (expected, (1 / step) *^ change)) $
                                   XYZ.distance expected ((1 / step) *^ change) < 1e-3 * (1 + XYZ.norm expected)
                               Nothing -> property False

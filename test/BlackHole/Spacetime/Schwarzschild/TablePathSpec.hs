@@ -14,6 +14,7 @@ import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Maybe (fromMaybe)
 import Support.Approx
 import Support.Generators
+import Support.Segments
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck hiding (tables, tolerance, total)
@@ -29,23 +30,18 @@ spec = do
         forAll view $ \(View space table photon region) ->
           conjoin
             [ counterexample (show m) (XYZ.norm m <= regionRadius region * 1.000001 && abs y <= (regionHalfHeight region + regionFlare region * XYZ.norm m) * 1.000001 && XYZ.norm m >= 0.999999 * regionInnerRadius region)
-              | PathSegment m@(XYZ _ y _) _ _ <- followedState (sweptBy table space region photon)
+              | segment <- followedState (sweptBy table space region photon),
+                let m@(XYZ _ y _) = segmentMiddle segment
             ]
       prop "have segments with the photon's own h and energy" $
         forAll view $ \(View space table photon region) ->
-          let h = angularMomentum photon
-           in conjoin
-                [ nearXYZ (1e-7 * (1 + XYZ.norm h)) h (angularMomentum p)
-                    .&&. (space == Flat || XYZ.norm m < 1 || isNear (1e-5 * (1 + XYZ.normSquared h)) 0.5 (pseudoEnergy p))
-                  | PathSegment m v _ <- followedState (sweptBy table space region photon),
-                    let p = Photon m v
-                ]
+          conjoin [belongsTo 1e-5 space photon segment | segment <- followedState (sweptBy table space region photon), segmentRadius segment > 1]
       prop "have segments that follow each other" $
         -- From one middle to the next it is half of the one and half of the
         -- other, unless the path was outside the region in between.
         forAll view $ \(View space table photon region) ->
           let segments = reverse (followedState (sweptBy table space region photon))
-              gap (PathSegment a va la) (PathSegment b vb lb) = (XYZ.distance a b, 0.5 * (la * XYZ.norm va + lb * XYZ.norm vb))
+              gap a b = (XYZ.distance (segmentMiddle a) (segmentMiddle b), 0.5 * (segmentLength a + segmentLength b))
            in conjoin
                 [ counterexample (show (s, t, d, expected)) (d > 0.97 * expected)
                   | (s, t) <- zip segments (drop 1 segments),
@@ -198,9 +194,6 @@ sameFate :: Followed a -> Followed b -> Property
 sameFate a b = case (followedFate a, followedFate b) of
   (Escaped d, Escaped e) -> nearXYZ 1e-6 e d
   (d, e) -> d === e
-
-isNear :: Double -> Double -> Double -> Bool
-isNear tolerance a b = abs (a - b) <= tolerance
 
 -- | The integral of a smooth density that vanishes at the region's edges; for
 -- the closed form in finer steps and a larger region.

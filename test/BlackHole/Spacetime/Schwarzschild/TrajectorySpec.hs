@@ -1,10 +1,14 @@
 module BlackHole.Spacetime.Schwarzschild.TrajectorySpec (spec) where
 
+import BlackHole.Matter.PathReport
 import BlackHole.Numeric.Angle
+import BlackHole.Spacetime.Fate
 import BlackHole.Spacetime.Photon
-import BlackHole.Spacetime.Schwarzschild.Orbit (OrbitFate (..), deflectionAngle)
+import BlackHole.Spacetime.PlaneCrossing
+import BlackHole.Spacetime.Schwarzschild.Deflection
 import BlackHole.Spacetime.Schwarzschild.Radii (criticalImpactParameter)
 import BlackHole.Spacetime.Schwarzschild.Trajectory
+import BlackHole.Spacetime.Schwarzschild.TrajectoryPoints
 import BlackHole.Vector.XYZ (XYZ (..), (^+^), (^-^))
 import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Maybe (fromMaybe)
@@ -51,9 +55,9 @@ spec = do
       forAll ((,,) <$> oneof [choose (1, 2.5), choose (2.65, 12)] <*> choose (0.2, 1.4) <*> choose (-3, 3)) $ \(b, i, eta) ->
         let trajectory = trajectoryFromInfinity (Sight (Radians i) (Radians eta)) b
             nearby = [trajectoryFromPhoton 1 p | TrajectoryPoint _ p <- take 1 (trajectoryPoints 60 0.05 trajectory)]
-            same (Crossing r azimuth g) (Crossing r' azimuth' g') =
+            same (PlaneCrossing r azimuth g) (PlaneCrossing r' azimuth' g') =
               closeTo (1e-8 * r) r r' .&&. closeTo 1e-9 0 (sin (azimuth - azimuth')) .&&. closeTo 1e-8 g g'
-            near = filter ((< 59) . crossingRadius) . trajectoryCrossings
+            near = filter ((< 59) . crossingRadius) . crossings
          in conjoin [length (near trajectory) === length (near c) .&&. conjoin (zipWith same (near trajectory) (near c)) | c <- nearby]
     it "ends at the horizon below b_c" $
       sequence_
@@ -69,20 +73,20 @@ spec = do
         ]
     it "has ends also next to b_c" $
       sequence_
-        [ end (trajectoryFromInfinity overPole (criticalImpactParameter + d)) `shouldSatisfy` (\a -> a > 20 && a < 60)
+        [ trajectorySweep (trajectoryFromInfinity overPole (criticalImpactParameter + d)) `shouldSatisfy` (\a -> a > 20 && a < 60)
           | d <- [-4e-16, 0, 4e-16, 4e-15, -4e-15]
         ]
   describe "crossings of the disk's plane" $ do
     it "of light along the axis lie at quarter turns" $
-      map crossingAzimuth (trajectoryCrossings (trajectoryFromInfinity overPole 2.65)) `shouldBe` [0, -pi]
+      map crossingAzimuth (crossings (trajectoryFromInfinity overPole 2.65)) `shouldBe` [0, -pi]
     it "are none for light in the plane" $
-      trajectoryCrossings (trajectoryFromInfinity (Sight (Radians (pi / 2)) (Radians 0)) 2.65) `shouldBe` []
+      crossings (trajectoryFromInfinity (Sight (Radians (pi / 2)) (Radians 0)) 2.65) `shouldBe` []
     it "of a photon on the photon sphere are those of four turns" $
       case trajectoryFromCamera overPole 1.5 (Radians (pi / 2)) of
-        Just trajectory -> (trajectoryFate trajectory, map crossingRadius (trajectoryCrossings trajectory)) `shouldBe` (Circles, replicate 8 1.5)
+        Just trajectory -> (trajectoryFate trajectory, map crossingRadius (crossings trajectory)) `shouldBe` (Circles, replicate 8 1.5)
         Nothing -> expectationFailure "no such camera"
     it "do not count the start" $
-      map crossingAzimuth (maybe [] trajectoryCrossings (trajectoryFromCamera (Sight (Radians (pi / 2)) (Radians (pi / 2))) 10 (Radians 0.35)))
+      map crossingAzimuth (maybe [] crossings (trajectoryFromCamera (Sight (Radians (pi / 2)) (Radians (pi / 2))) 10 (Radians 0.35)))
         `shouldSatisfy` all ((< 1e-9) . abs . (+ pi / 2))
     it "show the extremes of g to a far observer in the plane" $
       -- Light that leaves an orbit along its motion turns there, and so has
@@ -97,25 +101,25 @@ spec = do
     nan = 0 / 0
     -- The last point is as near as it happens to be.
     init' points = zipWith const points (drop 1 points)
-    end trajectory = case trajectoryFate trajectory of
-      Escapes a -> a
-      Captured a -> a
-      Circles -> 1 / 0
     -- The observer stands off the plane by next to nothing, and looks past the
     -- hole on the right (1) or left (−1) so that the path crosses the plane at
     -- its closest point, after half of what it sweeps: there
     -- cos i cos φ + sin η sin i sin φ = 0.
     redshiftAtTurn :: Double -> Double -> Maybe Double
     redshiftAtTurn r side =
-      case [crossingRedshift c | c <- trajectoryCrossings (trajectoryFromInfinity sight b), abs (crossingRadius c - r) < 1e-6] of
+      case [crossingLight c | c <- crossings (trajectoryFromInfinity sight b), abs (crossingRadius c - r) < 1e-6] of
         [redshift] -> Just redshift
         _ -> Nothing
       where
         b = r / sqrt (1 - 1 / r)
-        half = 0.5 * end (trajectoryFromInfinity overPole b)
+        half = 0.5 * trajectorySweep (trajectoryFromInfinity overPole b)
         tilt = 1e-6
         rise = asin (negate (sin tilt / (cos tilt * tan half)))
         sight = Sight (Radians (pi / 2 - tilt)) (Radians (if side > 0 then rise else pi - rise))
+
+-- | The crossings of the disk's plane, with g.
+crossings :: Trajectory -> [PlaneCrossing Double]
+crossings = reportCrossings . exactReport 100
 
 overPole :: Sight
 overPole = Sight (Radians 0) (Radians 0)
@@ -127,14 +131,14 @@ referenceRay ray = it (show (Reference.rayCameraRadius ray, Reference.rayInclina
     Just trajectory -> do
       trajectoryImpactParameter trajectory `shouldBeWithin` (1e-12, Reference.rayImpactParameter ray)
       case (trajectoryFate trajectory, Reference.rayFate ray) of
-        (Escapes swept, Reference.RayEscapes reference) -> swept `shouldBeWithin` (1e-10, reference)
-        (Captured _, Reference.RayCaptured) -> pure ()
+        (Escaped _, Reference.RayEscapes reference) -> trajectorySweep trajectory `shouldBeWithin` (1e-10, reference)
+        (Captured, Reference.RayCaptured) -> pure ()
         (fate, reference) -> expectationFailure (show (fate, reference))
       case Reference.rayCrossing ray of
-        Nothing -> trajectoryCrossings trajectory `shouldBe` []
-        Just (Reference.Crossing n r azimuth g) -> case drop (n - 1) (trajectoryCrossings trajectory) of
+        Nothing -> crossings trajectory `shouldBe` []
+        Just (Reference.Crossing n r azimuth g) -> case drop (n - 1) (crossings trajectory) of
           [] -> expectationFailure "crossing missing"
-          Crossing r' azimuth' g' : _ -> do
+          PlaneCrossing r' azimuth' g' : _ -> do
             r' `shouldBeWithin` (1e-9 * r, r)
             azimuth' `shouldBeWithin` (1e-9, azimuth)
             g' `shouldBeWithin` (1e-9, g)

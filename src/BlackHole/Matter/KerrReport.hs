@@ -1,24 +1,29 @@
 -- | The numbers of one light path around a rotating hole: constants of motion, end,
 -- crossings of the disk's plane with the shift of the gas there, and points to draw the
 -- path from.
-module BlackHole.Spacetime.Kerr.PathReport
+module BlackHole.Matter.KerrReport
   ( KerrReport (..),
-    KerrCrossing (..),
     KerrPathPoint (..),
     kerrReport,
   )
 where
 
+import BlackHole.Matter.GasFlow
+import BlackHole.Matter.Redshift
 import BlackHole.Numeric.Bisection (bisect)
-import BlackHole.Spacetime.Kerr.GasFlow
+import BlackHole.Spacetime.Fate
+import BlackHole.Spacetime.Follow
 import BlackHole.Spacetime.Kerr.Landmarks
 import BlackHole.Spacetime.Kerr.Path
 import BlackHole.Spacetime.Kerr.Sight
+import BlackHole.Spacetime.Observer (SightLine (..))
+import BlackHole.Spacetime.PlaneCrossing
+import BlackHole.Spacetime.Types (Spacetime (Kerr))
 import BlackHole.Vector.XYZ (XYZ (..))
 
 -- | One light path. Lengths are in Schwarzschild radii, angles in radians.
 data KerrReport = KerrReport
-  { kerrReportFate :: !KerrFate,
+  { kerrReportFate :: !(Fate XYZ),
     -- | λ, the angular momentum about the axis over the energy.
     kerrReportLambda :: !Double,
     -- | Carter's constant over the squared energy.
@@ -28,19 +33,10 @@ data KerrReport = KerrReport
     kerrReportMinoTime :: !Double,
     -- | The frequency that the observer measures over that at infinity.
     kerrReportObserved :: !Double,
-    kerrReportCrossings :: ![KerrCrossing],
+    -- | With ν_obs\/ν_em of light from the gas there.
+    kerrReportCrossings :: ![PlaneCrossing Double],
     -- | From the observer to the horizon, or to the radius out to which it is drawn.
     kerrReportPath :: [KerrPathPoint]
-  }
-  deriving (Eq, Show)
-
--- | A crossing of the plane @y = 0@ outside the horizon.
-data KerrCrossing = KerrCrossing
-  { kerrCrossingRadius :: !Double,
-    -- | @atan2 z x@ in [−π, π).
-    kerrCrossingAzimuth :: !Double,
-    -- | ν_obs\/ν_em of light from right-handed gas there.
-    kerrCrossingRedshift :: !Double
   }
   deriving (Eq, Show)
 
@@ -61,15 +57,16 @@ kerrReport hole drawn ray =
       kerrReportMinoTime = kerrMinoTime path,
       kerrReportObserved = rayObserved ray,
       kerrReportCrossings =
-        [ KerrCrossing (pointRadius point) (azimuthOf (pointAzimuth point)) (rayObserved ray / frequency)
-          | point <- kerrPlanePoints path,
-            Just frequency <- [planeFrequency flow ray (pointRadius point) (pointGrows point)]
+        [ redshiftFactor shift <$ crossing
+          | crossing <- planeCrossings traced sight,
+            Just shift <- [crossingRedshift (gasFlow (Kerr hole)) sight crossing]
         ],
       kerrReportPath = [KerrPathPoint time (placed (kerrPoint path time)) | time <- take 100000 (times 0)]
     }
   where
     path = kerrPath hole (BoyerLindquist 0) ray
-    flow = gasFlow hole
+    traced = tracing (Kerr hole) InClosedForm (rayRadius ray)
+    sight = RotatingSight hole (BoyerLindquist 0) ray
     limit = max drawn (rayRadius ray)
     momentum2 = abs (rayEta ray) + rayLambda ray * rayLambda ray
     times time
@@ -80,19 +77,11 @@ kerrReport hole drawn ray =
     -- Where the path leaves the drawn sphere, if it escapes; a path that ends at the
     -- horizon stops just short of it, for the azimuth winds up there.
     end = case kerrFate path of
-      Escapes _ -> lastBelow limit (kerrMinoTime path)
+      Escaped _ -> lastBelow limit (kerrMinoTime path)
       Captured -> kerrMinoTime path * (1 - 1e-9)
-      Circles -> 20
+      _ -> 20
     -- Outwards at the end, so that the radius grows beyond some time for good.
     lastBelow radius = bisect (\t -> let point = kerrPoint path t in not (pointGrows point) || pointRadius point < radius) 0
-
--- | From φ, which counts from @+z@, to the azimuth @atan2 z x@.
-azimuthOf :: Double -> Double
-azimuthOf phi
-  | turned >= pi = turned - 2 * pi
-  | otherwise = turned
-  where
-    turned = 0.5 * pi - phi
 
 placed :: KerrPoint -> XYZ
 placed point = XYZ (r * s * sin phi) (r * c) (r * s * cos phi)

@@ -1,8 +1,10 @@
-module BlackHole.Spacetime.PathReportSpec (spec) where
+module BlackHole.Matter.PathReportSpec (spec) where
 
+import BlackHole.Matter.PathReport
 import BlackHole.Numeric.Angle
-import BlackHole.Spacetime.PathReport
-import BlackHole.Spacetime.Schwarzschild.Leapfrog
+import BlackHole.Spacetime.Fate (fateName)
+import BlackHole.Spacetime.PlaneCrossing
+import BlackHole.Spacetime.Schwarzschild.LeapfrogStep
 import BlackHole.Spacetime.Schwarzschild.Trajectory
 import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Maybe (fromMaybe)
@@ -38,7 +40,7 @@ spec = do
           stepped = [leapfrogReport (EqualSteps l) 100 camera | l <- [0.1, 0.05, 0.025]]
       sequence_
         [ ratios [errorOf value report exact | report <- stepped] `shouldSatisfy` all (\q -> abs (q - 4) < 0.5)
-          | value <- [reportSweptAngle, reportClosestApproach, fmap crossingRadius . firstCrossing, fmap crossingRedshift . firstCrossing, reportEnergyDrift]
+          | value <- [reportSweptAngle, reportClosestApproach, fmap crossingRadius . firstCrossing, fmap crossingLight . firstCrossing, reportEnergyDrift]
         ]
     it "is second order at the horizon too" $
       ratios [errorOf reportSweptAngle (leapfrogReport (EqualSteps l) 100 plunging) (exactReport 100 plunging) | l <- [0.04, 0.02, 0.01]]
@@ -52,7 +54,7 @@ spec = do
       sequence_
         [ do
             length (differenceCrossings difference) `shouldBe` n
-            map crossingRedshift (differenceCrossings difference) `shouldSatisfy` all ((< 1e-3) . abs)
+            map crossingLight (differenceCrossings difference) `shouldSatisfy` all ((< 1e-3) . abs)
           | (r, i, psi, eta, n) <- [(10, 45, 16, 200, 2), (20, 80, 10, 0, 1), (20, 80, 7, 90, 1), (1.2, 80, 100, 10, 0)],
             Just trajectory <- [trajectoryFromCamera (Sight (toRadians (Degrees i)) (toRadians (Degrees eta))) r (toRadians (Degrees psi))],
             let difference = reportDifference (leapfrogReport (ReportSteps 0.02 0.01) 100 trajectory) (exactReport 100 trajectory)
@@ -60,7 +62,7 @@ spec = do
     it "keeps h to rounding" $
       fromMaybe nan (reportAngularMomentumDrift (leapfrogReport reportStepRule 100 camera)) `shouldBeWithin` (1e-11, 0)
     it "tells fates" $
-      [reportFate (leapfrogReport reportStepRule 100 (fromPole b)) | b <- [0, 0.3, 2.5, 2.7, 30, 3000]]
+      [fateName (reportFate (leapfrogReport reportStepRule 100 (fromPole b))) | b <- [0, 0.3, 2.5, 2.7, 30, 3000]]
         `shouldBe` ["captured", "captured", "captured", "escaped", "escaped", "escaped"]
     it "draws what the exact one draws" $ do
       let points = [p | PathPoint _ p <- reportPath (leapfrogReport (ReportSteps 0.02 0.01) 100 (fromPole 3))]
@@ -72,7 +74,7 @@ spec = do
       let report = exactReport 100 camera
           difference = reportDifference report report
       differenceSweptAngle difference `shouldBe` Just 0
-      differenceCrossings difference `shouldBe` [Crossing 0 0 0, Crossing 0 0 0]
+      differenceCrossings difference `shouldBe` [PlaneCrossing 0 0 0, PlaneCrossing 0 0 0]
   where
     nan = 0 / 0
     fromPole = trajectoryFromInfinity (Sight (Radians 0) (Radians 0))

@@ -1,11 +1,13 @@
-module BlackHole.Trace.PlaneCrossingSpec (spec) where
+module BlackHole.Spacetime.FollowSpec (spec) where
 
+import BlackHole.Matter.GasFlow (gasFlow)
 import BlackHole.Matter.Redshift
-import BlackHole.Scene.Preset
-import BlackHole.Scene.Scene
+import BlackHole.Spacetime.Follow
 import BlackHole.Spacetime.Observer
+import BlackHole.Spacetime.PlaneCrossing
+import BlackHole.Spacetime.Schwarzschild.Leapfrog
+import BlackHole.Spacetime.Schwarzschild.LeapfrogStep
 import BlackHole.Spacetime.Types
-import BlackHole.Trace.PlaneCrossing
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
 import qualified BlackHole.Vector.XYZ as XYZ
 import Control.Monad (forM_)
@@ -23,43 +25,49 @@ spec = do
     rays <- readRays
     length rays `shouldBe` 15
     forM_ rays $ \ray ->
-      compared 1e-9 1e-9 defaultScene ray
+      compared 1e-9 1e-9 InClosedForm ray
+  it "so are the table's, to its own accuracy" $ do
+    rays <- readRays
+    forM_ [ray | ray <- rays, rayImpactParameter ray > 2.7] $
+      compared 1e-5 1e-5 ByTable
   it "so are the leapfrog's, to its own accuracy" $ do
     rays <- readRays
     forM_ [ray | ray <- rays, rayImpactParameter ray > 2.7] $
-      compared 2e-3 2e-3 defaultScene {sceneIntegrator = Leapfrogging, sceneStep = 0.02}
+      compared 2e-3 2e-3 (ByLeapfrog defaultLeapfrog {leapfrogSteps = ReportSteps 0.02 0.01})
   it "are as many as the reference has" $ do
     rays <- readRays
     forM_ rays $ \ray ->
-      length (crossings defaultScene ray)
+      length (crossings InClosedForm ray)
         `shouldBe` length [() | other <- rays, place other == place ray, Just _ <- [rayCrossing other]]
   prop "a straight ray's is where a line meets a plane" $ \(Outside x@(XYZ _ y _)) (Direction d@(XYZ _ climb _)) ->
     XYZ.norm (XYZ.cross x d) > 1
       ==> case (sightLine Flat Static x d, y * climb < 0) of
-        (Just sight, True) -> case planeCrossings defaultScene {sceneSpacetime = Flat} sight of
+        (Just sight, True) -> case planeCrossings straight sight of
           [crossing] -> closeTo 1e-9 (XYZ.norm (x ^+^ (-y / climb) *^ d)) (crossingRadius crossing)
           other -> counterexample (show other) False
-        (Just sight, False) -> planeCrossings defaultScene {sceneSpacetime = Flat} sight === []
+        (Just sight, False) -> planeCrossings straight sight === []
         (Nothing, _) -> counterexample "no line of sight" False
   prop "the plane's own light does not cross it" $
     forAll ((,) <$> inRange 1.1 40 <*> inRange 0 6.2) $ \(r, angle) ->
-      fmap (planeCrossings defaultScene) (sightLine Schwarzschild Static (XYZ r 0 0) (XYZ (cos angle) 0 (sin angle)))
+      fmap (planeCrossings (tracing Schwarzschild InClosedForm r)) (sightLine Schwarzschild Static (XYZ r 0 0) (XYZ (cos angle) 0 (sin angle)))
         === Just []
   where
     place ray = map ($ ray) [rayCameraRadius, rayInclination, rayPsi, rayEta]
-    compared limit shiftLimit scene ray = forM_ (rayCrossing ray) $ \expected ->
-      case drop (crossingNumber expected - 1) (crossings scene ray) of
-        PlaneCrossing r azimuth (Just (RedshiftParts gravity motion)) : _ -> do
+    straight = tracing Flat InClosedForm 1
+    compared limit shiftLimit method ray = forM_ (rayCrossing ray) $ \expected ->
+      case drop (crossingNumber expected - 1) (crossings method ray) of
+        PlaneCrossing r azimuth (Just shift) : _ -> do
           r `shouldBeWithin` (limit * r, Reference.crossingRadius expected)
           XYZ (cos azimuth) 0 (sin azimuth) `nearPoint` (limit, let a = Reference.crossingAzimuth expected in XYZ (cos a) 0 (sin a))
-          (gravity * motion) `shouldBeWithin` (shiftLimit, crossingRedshiftFactor expected)
+          redshiftFactor shift `shouldBeWithin` (shiftLimit, crossingRedshiftFactor expected)
         other -> expectationFailure (show other)
     nearPoint a (limit, b) = XYZ.distance a b `shouldBeWithin` (limit, 0)
 
--- | The crossings of a reference ray in a scene.
-crossings :: Scene -> Ray -> [PlaneCrossing]
-crossings scene ray =
-  maybe [] (planeCrossings scene) (sightLine Schwarzschild Static (rayCameraRadius ray *^ outward) direction)
+-- | The crossings of a reference ray.
+crossings :: Method -> Ray -> [PlaneCrossing (Maybe Redshift)]
+crossings method ray = case sightLine Schwarzschild Static (rayCameraRadius ray *^ outward) direction of
+  Just sight -> [crossingRedshift (gasFlow Schwarzschild) sight c <$ c | c <- planeCrossings (tracing Schwarzschild method (rayCameraRadius ray)) sight]
+  Nothing -> []
   where
     radians degrees = degrees * pi / 180
     i = radians (rayInclination ray)

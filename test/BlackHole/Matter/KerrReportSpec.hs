@@ -1,9 +1,10 @@
-module BlackHole.Spacetime.Kerr.PathReportSpec (spec) where
+module BlackHole.Matter.KerrReportSpec (spec) where
 
+import BlackHole.Matter.KerrReport
+import BlackHole.Spacetime.Fate
 import BlackHole.Spacetime.Kerr.Landmarks
-import BlackHole.Spacetime.Kerr.Path
-import BlackHole.Spacetime.Kerr.PathReport
 import BlackHole.Spacetime.Kerr.Sight
+import BlackHole.Spacetime.PlaneCrossing (PlaneCrossing (PlaneCrossing))
 import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Maybe (fromMaybe)
 import Support.Approx
@@ -17,10 +18,10 @@ spec = do
     sequence_
       [ sequence_
           [ do
-              kerrCrossingRadius found `shouldBeWithin` (1e-11 * crossingRadius known, crossingRadius known)
-              kerrCrossingAzimuth found `shouldBeWithin` (1e-11, crossingAzimuth known)
-              kerrCrossingRedshift found `shouldBeWithin` (1e-11 * crossingRedshift known, crossingRedshift known)
-            | (found, known) <- zip (kerrReportCrossings (reportOf row)) (rayCrossings row)
+              r `shouldBeWithin` (1e-11 * crossingRadius known, crossingRadius known)
+              azimuth `shouldBeWithin` (1e-11, crossingAzimuth known)
+              g `shouldBeWithin` (1e-11 * crossingRedshift known, crossingRedshift known)
+            | (PlaneCrossing r azimuth g, known) <- zip (kerrReportCrossings (reportOf row)) (rayCrossings row)
           ]
         | row <- rows
       ]

@@ -2,30 +2,38 @@
 
 -- | A report on one light path, from the closed form or from the leapfrog, and the
 -- difference between two reports.
-module BlackHole.Spacetime.PathReport
+module BlackHole.Matter.PathReport
   ( PathReport (..),
     exactReport,
     leapfrogReport,
     PathDifference (..),
     reportDifference,
     PathPoint (..),
-    leapfrogStartRadius,
   )
 where
 
-import BlackHole.Matter.Redshift (RedshiftParts (..), gasRedshift)
+import BlackHole.Matter.GasFlow
+import BlackHole.Matter.Redshift
+import BlackHole.Spacetime.Fate
+import BlackHole.Spacetime.Momentum
+import BlackHole.Spacetime.PathPlane (meetsDiskPlane)
 import BlackHole.Spacetime.Photon
+import BlackHole.Spacetime.PlaneCrossing
 import BlackHole.Spacetime.Schwarzschild.Leapfrog
-import BlackHole.Spacetime.Schwarzschild.Orbit (OrbitFate (..))
+import BlackHole.Spacetime.Schwarzschild.LeapfrogStep
 import BlackHole.Spacetime.Schwarzschild.Trajectory
+import BlackHole.Spacetime.Schwarzschild.TrajectoryPoints
 import BlackHole.Spacetime.Types (Spacetime (Schwarzschild))
+import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
 import qualified BlackHole.Vector.XYZ as XYZ
+import Data.Functor (void)
+import Data.Maybe (mapMaybe)
 
 -- | The report. Lengths are in Schwarzschild radii, angles in radians.
 data PathReport = PathReport
-  { -- | @captured@, @escaped@, @circles@ (critical to the last bit), or @step limit@.
-    reportFate :: !String,
+  { -- | In the plane of the path.
+    reportFate :: !(Fate XY),
     -- | For the leapfrog, the impact parameter of the last state.
     reportImpactParameter :: !(Maybe Double),
     -- | Angle swept from the start to infinity or to the horizon.
@@ -33,7 +41,8 @@ data PathReport = PathReport
     -- | See 'trajectoryDeflection'.
     reportDeflection :: !(Maybe Double),
     reportClosestApproach :: !(Maybe Double),
-    reportCrossings :: ![Crossing],
+    -- | With ν_obs\/ν_em of light that gas there sends to the observer.
+    reportCrossings :: ![PlaneCrossing Double],
     -- | Steps of the integrator, or the number of points at which the exact path was
     -- evaluated.
     reportSteps :: !Int,
@@ -56,12 +65,12 @@ data PathPoint = PathPoint !Double !XYZ
 exactReport :: Double -> Trajectory -> PathReport
 exactReport drawn trajectory =
   PathReport
-    { reportFate = fate,
+    { reportFate = trajectoryFate trajectory,
       reportImpactParameter = Just (trajectoryImpactParameter trajectory),
-      reportSweptAngle = swept,
+      reportSweptAngle = if isInfinite (trajectorySweep trajectory) then Nothing else Just (trajectorySweep trajectory),
       reportDeflection = trajectoryDeflection trajectory,
       reportClosestApproach = trajectoryClosestApproach trajectory,
-      reportCrossings = trajectoryCrossings trajectory,
+      reportCrossings = crossingsOf trajectory,
       reportSteps = length points,
       reportAngularMomentumDrift = driftOf (XYZ.norm . angularMomentum) photons,
       reportEnergyDrift = driftOf pseudoEnergy photons,
@@ -70,10 +79,15 @@ exactReport drawn trajectory =
   where
     points = trajectoryPoints drawn 0.02 trajectory
     photons = map pointPhoton points
-    (fate, swept) = case trajectoryFate trajectory of
-      Escapes angle -> ("escaped", Just angle)
-      Captured angle -> ("captured", Just angle)
-      Circles -> ("circles", Nothing)
+
+-- | The crossings outside the horizon, with the shift of the gas there.
+crossingsOf :: Trajectory -> [PlaneCrossing Double]
+crossingsOf trajectory = mapMaybe (shifted (trajectoryObserved trajectory)) (trajectoryCrossings trajectory)
+
+shifted :: Double -> PlaneCrossing (Maybe Momentum) -> Maybe (PlaneCrossing Double)
+shifted observed crossing@(PlaneCrossing r _ light) = shift <$> light
+  where
+    shift momentum = redshiftFactor (redshift observed (gasFrequencies (gasFlow Schwarzschild) r 0 momentum)) <$ crossing
 
 driftOf :: (Photon -> Double) -> [Photon] -> Maybe Double
 driftOf quantity photons = case map quantity photons of
@@ -96,7 +110,7 @@ data Walk = Walk
     walkEnergyDrift :: !Double,
     walkClosest :: !(Maybe Double),
     -- | Latest first, like the path.
-    walkCrossings :: ![Crossing],
+    walkCrossings :: ![PlaneCrossing Double],
     walkPath :: ![PathPoint]
   }
 
@@ -113,7 +127,7 @@ data Walk = Walk
 -- most twenty million steps of about 0.2 µs each.
 leapfrogReport :: StepRule -> Double -> Trajectory -> PathReport
 leapfrogReport rule farthest trajectory = case trajectoryEntry radius trajectory of
-  Nothing -> ended "step limit" Nothing (Walk 0 (Photon XYZ.zero XYZ.zero) 0 0 0 Nothing [] [])
+  Nothing -> ended StepLimit Nothing (Walk 0 (Photon XYZ.zero XYZ.zero) 0 0 0 Nothing [] [])
   Just (TrajectoryPoint swept photon) -> follow swept photon
   where
     radius = leapfrogStartRadius trajectory
@@ -129,11 +143,11 @@ leapfrogReport rule farthest trajectory = case trajectoryEntry radius trajectory
         !sky2 = radius * radius
         go !walk
           | XYZ.normSquared x > sky2 && XYZ.dot x v > 0 = escaped walk
-          | walkSteps walk >= stepLimit = ended "step limit" Nothing walk
+          | walkSteps walk >= stepLimit = ended StepLimit Nothing walk
           | XYZ.normSquared x' <= 1 && XYZ.dot x' v' < 0 =
             let atHorizon = hermite (bisectStep (\p -> XYZ.norm (photonPosition p) > 1))
                 swept = walkSwept walk + turned (photonPosition atHorizon)
-             in ended "captured" (Just swept) $
+             in ended Captured (Just swept) $
                   stepped {walkPath = PathPoint swept (photonPosition atHorizon) : walkPath walk}
           | otherwise = go stepped
           where
@@ -162,23 +176,22 @@ leapfrogReport rule farthest trajectory = case trajectoryEntry radius trajectory
                   walkPath = drawn (walkPath walk)
                 }
             crossing
-              | trajectoryMeetsPlane trajectory,
+              | meetsDiskPlane (trajectoryPlane trajectory),
                 height x * height x' < 0 || (height x /= 0 && height x' == 0) =
-                crossingAt (hermite (bisectStep (\p -> height (photonPosition p) * height x > 0)))
+                shifted (trajectoryObserved trajectory) (crossingOf (hermite (bisectStep (\p -> height (photonPosition p) * height x > 0))))
               | otherwise = Nothing
             drawn path = case path of
               PathPoint _ p : _ | XYZ.distance p x' < 0.02 * XYZ.norm x' -> path
               _ -> PathPoint swept' x' : path
         escaped walk =
           let rest = trajectoryFromPhoton (trajectoryObserved trajectory) (walkPhoton walk)
-              final = walk {walkCrossings = reverse (trajectoryCrossings rest) ++ walkCrossings walk}
+              -- A radial path sweeps no angle; 'launch' takes its neighbour.
+              angle = walkSwept walk + (if h0 > 0 then trajectorySweep rest else 0)
+              final = walk {walkCrossings = reverse (crossingsOf rest) ++ walkCrossings walk}
            in case trajectoryFate rest of
-                Escapes angle -> ended "escaped" (Just (walkSwept walk + angle)) final
-                _ -> ended "step limit" Nothing final
+                Escaped _ -> ended (Escaped (XY (cos angle) (sin angle))) (Just angle) final
+                _ -> ended StepLimit Nothing final
     height (XYZ _ y _) = y
-    crossingAt (Photon p v) = do
-      RedshiftParts gravity doppler <- gasRedshift (trajectoryObserved trajectory) p (XYZ.negated v)
-      pure (Crossing (XYZ.norm p) (planeAzimuth p) (gravity * doppler))
     ended fate swept walk =
       PathReport
         { reportFate = fate,
@@ -197,10 +210,12 @@ leapfrogReport rule farthest trajectory = case trajectoryEntry radius trajectory
           reportPath = reverse (filter (\(PathPoint _ p) -> XYZ.norm p <= drawnRadius) (walkPath walk))
         }
       where
-        escapedAngle = if fate == "escaped" then swept else Nothing
+        escapedAngle = case fate of
+          Escaped _ -> swept
+          _ -> Nothing
     -- The angle of a straight line, taken from the exact path.
     straightAngle = case trajectoryFate trajectory of
-      Escapes angle -> (angle -) <$> trajectoryDeflection trajectory
+      Escaped _ -> (trajectorySweep trajectory -) <$> trajectoryDeflection trajectory
       _ -> Nothing
 
 -- | The cubic through the ends of a step, at a fraction of the step.
@@ -236,7 +251,7 @@ data PathDifference = PathDifference
     differenceSweptAngle :: !(Maybe Double),
     differenceDeflection :: !(Maybe Double),
     differenceClosestApproach :: !(Maybe Double),
-    differenceCrossings :: ![Crossing],
+    differenceCrossings :: ![PlaneCrossing Double],
     differenceAngularMomentumDrift :: !(Maybe Double),
     differenceEnergyDrift :: !(Maybe Double)
   }
@@ -257,10 +272,6 @@ reportDifference a b =
   where
     by field = (-) <$> field a <*> field b
     -- The angle to infinity and the angle to the horizon cannot be compared.
-    sameEnd value = if reportFate a == reportFate b then value else Nothing
-    crossing (Crossing r azimuth g) (Crossing r' azimuth' g') =
-      Crossing (r - r') (wrapped (azimuth - azimuth')) (g - g')
-    wrapped angle
-      | angle > pi = angle - 2 * pi
-      | angle <= -pi = angle + 2 * pi
-      | otherwise = angle
+    sameEnd value = if void (reportFate a) == void (reportFate b) then value else Nothing
+    crossing (PlaneCrossing r azimuth g) (PlaneCrossing r' azimuth' g') =
+      PlaneCrossing (r - r') (wrappedAngle (azimuth - azimuth')) (g - g')

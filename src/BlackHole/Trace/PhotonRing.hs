@@ -1,0 +1,76 @@
+{-# LANGUAGE BangPatterns #-}
+{-# OPTIONS_GHC -fmax-worker-args=64 #-}
+
+-- | The samples of pixels on the photon ring, at the edge of the shadow, where the images
+-- of the gas crowd together.
+module BlackHole.Trace.PhotonRing
+  ( PhotonRing,
+    photonRing,
+    addRingSamples,
+    ringPoint,
+  )
+where
+
+import BlackHole.Light.Radiance (black)
+import BlackHole.Scene.Scene
+import BlackHole.Spacetime.Follow (shadowOffset)
+import BlackHole.Trace.Estimate
+import BlackHole.Trace.Ray
+import BlackHole.Trace.Sampling
+import BlackHole.Trace.Tracer
+import BlackHole.Vector.XY (XY (..))
+import GHC.Exts (lazy)
+
+-- | The edge of the shadow where it passes through or beside a pixel: the unit vector
+-- across it and out of the shadow, and by how much 'shadowOffset' shrinks per pixel
+-- along that vector.
+data PhotonRing
+  = PhotonRing
+      {-# UNPACK #-} !XY
+      {-# UNPACK #-} !Double
+
+-- | The edge of the shadow if it passes through or beside the pixel around a point of
+-- the picture. All higher-order images of the gas crowd together at that edge in rings
+-- thinner than a pixel.
+photonRing :: Tracer -> XY -> Maybe PhotonRing
+photonRing traced point@(XY x y) = case (tracerMatter traced, tracedOffset traced point) of
+  (Gaseous _, Just here)
+    -- Most pixels are thousands of pixels away from the ring; dismiss them cheaply.
+    -- Fast observers see the ring grow or shrink, but by less than this factor.
+    | abs here < 16 * pixelWidth scene,
+      Just right <- tracedOffset traced (XY (x + 1) y),
+      Just below <- tracedOffset traced (XY x (y + 1)),
+      let across = right - here
+          down = below - here
+          growth = sqrt (across * across + down * down),
+      abs here < 1.5 * (abs across + abs down) ->
+      Just (PhotonRing (XY (negate across / growth) (negate down / growth)) growth)
+  _ -> Nothing
+  where
+    scene = tracerScene traced
+
+-- | 'shadowOffset' of the light path that arrives at a point of the picture.
+tracedOffset :: Tracer -> XY -> Maybe Double
+tracedOffset traced place = tracedSight traced place >>= shadowOffset (tracerPaths traced)
+
+-- | @addRingSamples traced ring from to estimate column row@ is 'addSamples' with the
+-- points of 'ringPoint'.
+addRingSamples :: Tracer -> PhotonRing -> Int -> Int -> Estimate -> Int -> Int -> Estimate
+addRingSamples prepared ring from to estimate column row = go from estimate
+  where
+    traced = lazy prepared
+    shared = pixelSky traced column row
+    go !index !sums
+      | index < to =
+        let Sample place weight = ringPoint traced ring column row index
+            light = if weight == 0 then black else sharingRadiance traced shared place
+         in go (index + 1) (addSample (tracerGain traced) weight light sums)
+      | otherwise = sums
+
+-- | One of the samples of a pixel on the photon ring, by column, row and sample number:
+-- more of them where the images of the gas are thinner.
+ringPoint :: Tracer -> PhotonRing -> Int -> Int -> Int -> Sample
+ringPoint traced (PhotonRing normal growth) =
+  curveSample (sceneFilter scene) (sceneSeed scene) normal (fmap (negate . (/ growth)) . tracedOffset traced)
+  where
+    scene = tracerScene traced
