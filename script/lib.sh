@@ -19,7 +19,14 @@ ghc=/usr/bin/ghc
 
 # What the program is built from; not every command needs it.
 # shellcheck disable=SC2034
-program_packages=$(sed -n -E 's/^ (ghc|libghc-[a-z0-9-]+)[ ,].*/\1/p' "$root/debian/control" | tr '\n' ' ')
+packages_of() {
+  sed -n "/^$1:/,/^[^ ]/p" "$root/debian/control" | sed -n -E 's/^ (ghc|libghc-[a-z0-9-]+)[ ,].*/\1/p' | tr '\n' ' '
+}
+program_packages=$(packages_of Build-Depends)
+# The live view's web server. It is left out until somebody asks for it: script/blackhole
+# explore does, and from then on this file exists.
+explore_mark=$build/explore
+[ ! -e "$explore_mark" ] || program_packages="$program_packages $(packages_of Build-Depends-Arch)"
 test_packages='hspec-discover libghc-hspec-core-dev libghc-hspec-dev
   libghc-quickcheck2-dev libghc-temporary-dev
   libghc-zlib-dev'
@@ -116,10 +123,21 @@ state() (
     sed -n 2p "$earlier"
   fi
   cd "$root" || exit
+  [ ! -e "$explore_mark" ] || echo 'with the live view'
   find "$@" blackhole.cabal cabal.project stack.yaml -type f \
-    \( -name '*.hs' -o -name '*.bin' -o -name blackhole.cabal -o -name cabal.project -o -name stack.yaml \) \
+    \( -name '*.hs' -o -name '*.bin' -o -name 'page.*' -o -name blackhole.cabal -o -name cabal.project -o -name stack.yaml \) \
     -exec cksum {} + 2>/dev/null | LC_ALL=C sort
 )
+
+# with_explore: build the program with the live view from now on.
+with_explore() {
+  [ -e "$explore_mark" ] || {
+    say 'the live view takes a web server, once (9 MB to download)'
+    mkdir -p "$build"
+    : >"$explore_mark"
+    program_packages="$program_packages $(packages_of Build-Depends-Arch)"
+  }
+}
 
 program_state() {
   state "$build/bin/state" app src backend data
@@ -290,6 +308,7 @@ debian_build() {
   # otherwise depends on this: a test run must not undo a plain one's work.
   [ -n "$(missing_packages "$test_packages")" ] || options="$options --enable-tests"
   [ -n "$(missing_packages "$bench_packages")" ] || options="$options --enable-benchmarks"
+  [ ! -e "$explore_mark" ] || options="$options -fexplore"
   jobs=$(getconf _NPROCESSORS_ONLN)
   forget_old_objects "$root/$objects"
   products=$root/$objects/build
@@ -315,6 +334,7 @@ cabal_build() {
     objects=.build/cabal-dev
     options='-fdev --ghc-options=-O0'
   fi
+  [ ! -e "$explore_mark" ] || options="$options -fexplore"
   shift
   products=$root/$objects/products
   if [ $# = 0 ]; then
@@ -345,6 +365,7 @@ stack_build() {
   else
     options=
   fi
+  [ ! -e "$explore_mark" ] || options="$options --flag blackhole:explore"
   shift
   for target; do
     set -- "$@" "blackhole:$target"
@@ -360,6 +381,8 @@ stack_build() {
 # build_or_fail FLAG TARGET…
 build_or_fail() {
   : >"$log"
+  # The compiler knows nothing of the files that the assembler includes.
+  [ -z "$(find "$root/data/explore" -newer "$root/data/explore/page.c")" ] || touch "$root/data/explore/page.c"
   watched "${way}_build" "$@" && return 0
   # From the first error on, less the progress: warnings go before it.
   sed -n '/[Ee]rror:/,$p' "$log" | grep -v '^\[ *[0-9]* of ' >&2 || tail -n 40 "$log" >&2

@@ -64,7 +64,7 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
     forM_ [c | c <- commandHelps, commandName c `notElem` ["help", "scene"], ' ' `notElem` commandName c] $ \c ->
       it ("lists every option of " ++ commandName c ++ " once, and no other") $ do
         let listed = concatMap (concatMap optionsOf . take 1) (rowsOf (commandName c))
-            inherited = if commandName c == "animate" then sceneNames else []
+            inherited = if commandName c `elem` ["animate", "explore"] then sceneNames else []
             own = [name | name <- concatMap entryNames (commandEntries c), "--" `isPrefixOf` name, name `notElem` inherited]
         sort (nub listed) `shouldBe` sort own
         -- Both forms of --shard stand in one row.
@@ -303,6 +303,8 @@ scaled arguments = case arguments of
   "animate" : _
     | "--status" `elem` arguments -> arguments
     | otherwise -> arguments ++ ["--samples", "1", "--duration", "0.1"] ++ size
+  -- It would serve for ever; this checks its options.
+  "explore" : _ -> arguments ++ ["--help"]
   _ -> arguments
   where
     size = ["--width", "16", "--height", "8"]

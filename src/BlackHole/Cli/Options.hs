@@ -11,6 +11,7 @@ module BlackHole.Cli.Options
 where
 
 import BlackHole.Cli.Animate.Options (AnimateOptions, animateOptions)
+import BlackHole.Cli.Explore (ExploreOptions, exploreOptions)
 import BlackHole.Cli.Help
 import BlackHole.Cli.Join (JoinOptions, joinOptions)
 import BlackHole.Cli.ManualPage (manualPage)
@@ -33,6 +34,8 @@ data Command
     Join JoinOptions
   | -- | Render the frames of an animation.
     Animate AnimateOptions
+  | -- | Show a live view in the browser.
+    Explore ExploreOptions
   | -- | List, print or check scenes.
     Scenes SceneCommand
   | -- | Report on one light path.
@@ -149,6 +152,12 @@ described =
       "It shows the default scene, a preset, a scene file, or the scene stored in a picture. Options override the settings of that scene."
       ["blackhole render --width 1280 --inclination 75 --fov 40 -o hole.png"]
       (Task . Render <$> renderOptions),
+    describe
+      "explore"
+      "Fly around the hole in a live view in the browser."
+      "Serves a page on this machine alone and prints its address, which contains a secret token. The picture there is traced by the code of render: drag it to orbit, turn the wheel to come nearer, change any setting, look at single pixels, set keyframes, and take the result home as a command line, a scene file, an animation or a picture. Files go to the folder in which the program was started."
+      ["blackhole explore", "blackhole explore --preset kerr", "blackhole explore mine.yaml --port 8000 --no-open"]
+      (Task . Explore <$> exploreOptions),
     describe
       "animate"
       "Render the frames of an animation."

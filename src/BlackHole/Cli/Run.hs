@@ -4,6 +4,7 @@ module BlackHole.Cli.Run (run) where
 import BlackHole.Cli.Animate.Animate (animate)
 import BlackHole.Cli.Console (say, tell)
 import BlackHole.Cli.ExitStatus
+import BlackHole.Cli.Explore (explore)
 import BlackHole.Cli.Help (CommandHelp (commandName))
 import BlackHole.Cli.Join (join)
 import BlackHole.Cli.Options
@@ -56,6 +57,7 @@ runCommand command = case command of
   Render options -> render options
   Join options -> join options
   Animate options -> animate options
+  Explore options -> explore options
   Scenes task -> runSceneCommand task
   Photon options -> photon options
   Rays options -> rays options

@@ -6,6 +6,7 @@ module BlackHole.Render.Film
     Exposed (..),
     SampleCounts,
     exposeFilm,
+    exposeTraced,
     allRows,
     countsRow,
     filmRows,
@@ -86,16 +87,21 @@ filmRows film (first, rows)
 -- any other band, for any number of workers. 'Nothing' if the scene is not valid or lacks
 -- its map, or if the picture has no such rows.
 exposeFilm :: Maybe EnvironmentMap -> Workers -> (Int -> IO ()) -> Scene -> (Int, Int) -> IO (Maybe Exposed)
-exposeFilm sky workers progress scene (first, rows)
+exposeFilm sky workers progress scene band = maybe (pure Nothing) (\traced -> exposeTraced traced workers progress band) (tracerWithSky sky scene)
+
+-- | 'exposeFilm' for a scene that is prepared already.
+exposeTraced :: Tracer -> Workers -> (Int -> IO ()) -> (Int, Int) -> IO (Maybe Exposed)
+exposeTraced traced workers progress (first, rows)
   | first < 0 || first > height - rows = pure Nothing
-  | otherwise = case (,) <$> pixelShape width rows 3 <*> tracerWithSky sky scene of
+  | otherwise = case pixelShape width rows 3 of
     Nothing -> pure Nothing
-    Just (shape, traced) -> do
+    Just shape -> do
       _ <- mapShared workers pure (tracerTables traced)
       if mostSamples scene > sceneSamples scene
         then refineRows workers progress traced shape first
         else Just . (`Exposed` Nothing) <$> generateRows workers progress shape (traceRow traced width . (first +))
   where
+    scene = tracerScene traced
     Picture width height = scenePicture scene
 
 -- | The work of 'exposeFilm' for adaptive sampling: traces the first samples of some

@@ -10,6 +10,7 @@ module BlackHole.Trace.Gas
     opaqueEnough,
     Gas,
     gas,
+    gasSeenFrom,
     gatherGas,
     gatherParity,
   )
@@ -115,6 +116,11 @@ gas space seed shifts disk eye pixel samples =
         glow
       where
         glow t = scaleRadiance (diskBrightness disk) (light t)
+
+-- | The same gas for another eye, size of a pixel and number of samples, without
+-- computing its tables again.
+gasSeenFrom :: XYZ -> Double -> Int -> Gas -> Gas
+gasSeenFrom eye pixel samples g = g {gasDensity = seenFrom eye pixel samples (gasDensity g)}
 
 -- | Relative temperatures that are tabulated. Only somebody who falls or orbits
 -- close to the hole sees higher ones.

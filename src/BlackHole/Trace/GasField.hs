@@ -24,6 +24,7 @@
 module BlackHole.Trace.GasField
   ( GasField,
     gasField,
+    seenFrom,
     Here (..),
     gasAt,
     logDensity,
@@ -143,7 +144,7 @@ gasField space seed disk eye pixel samples =
       fieldDetail = tabulate 3 1024 0 1 (detail disk moments),
       fieldEye = eye,
       fieldPixel = pixel,
-      fieldShare = 1 / sqrt (fromIntegral samples)
+      fieldShare = shareOf samples
     }
   where
     inner = diskInnerRadius disk
@@ -166,6 +167,15 @@ gasField space seed disk eye pixel samples =
       | otherwise = 0.25 * log (sum [exp (4 * diskTurbulenceHeat disk * armFluctuation (diskArmDepth disk) (sin (2 * pi * fromIntegral k / 256))) | k <- [1 .. 256 :: Int]] / 256)
     (first, second) = patterns (diskTime disk * rate inner / (2 * pi)) (2 * pi / rate inner)
     rate = patternRate space
+
+-- | The same gas for another eye, size of a pixel and number of samples: the arguments
+-- of 'gasField' after the disk. The tables stay as they are, so this costs nothing.
+seenFrom :: XYZ -> Double -> Int -> GasField -> GasField
+seenFrom eye pixel samples field = field {fieldEye = eye, fieldPixel = pixel, fieldShare = shareOf samples}
+
+-- | The part of a stretch that one of so many samples of a pixel has to resolve.
+shareOf :: Int -> Double
+shareOf samples = 1 / sqrt (fromIntegral samples)
 
 -- | The two patterns at a time in lives, each life of this length. Their weights
 -- add up to 1; the sum of their squares is made 1 in 'turbulence'.

@@ -4,6 +4,7 @@ module BlackHole.Trace.Tracer
     Matter (..),
     tracer,
     tracerWithSky,
+    tracerAfter,
     tracerTables,
     tracedDirection,
     tracedSight,
@@ -106,6 +107,33 @@ tracerWithSky picture scene = do
       Just disk
         | sceneDebugTextures scene -> Checks disk
         | otherwise -> Gaseous (gas (sceneSpacetime scene) seed (sceneShifts scene) disk place (pixelWidth scene) (sceneSamples scene))
+
+-- | @tracerAfter earlier picture scene@ is 'tracerWithSky', but takes over those parts of
+-- an earlier tracer that are equal for this scene: the tables of the gas, of the light
+-- paths to the camera, and of the sky. The table of light paths is also taken over if the
+-- distance from the hole differs by rounding alone, so that radiance may differ by rounding
+-- from that of 'tracerWithSky'. The environment map must be the one that the earlier tracer
+-- was made with if both scenes name the same file.
+tracerAfter :: Tracer -> Maybe EnvironmentMap -> Scene -> Maybe Tracer
+tracerAfter earlier picture scene = reusing <$> tracerWithSky picture scene
+  where
+    before = tracerScene earlier
+    same :: Eq a => (Scene -> a) -> Bool
+    same part = part before == part scene
+    distance = XYZ.norm . posePosition . cameraPose . sceneCamera
+    reusing traced =
+      traced
+        { tracerMatter = case tracerMatter earlier of
+            Gaseous glowing
+              | same sceneDisk && same sceneSpacetime && same sceneSeed && same sceneShifts && same sceneDebugTextures ->
+                Gaseous (gasSeenFrom (posePosition (cameraPose (sceneCamera scene))) (pixelWidth scene) (sceneSamples scene) glowing)
+            _ -> tracerMatter traced,
+          tracerPaths =
+            if same sceneSpacetime && same sceneIntegrator && same sceneLeapfrog && abs (distance scene - distance before) <= 1e-12 * distance scene
+              then tracerPaths earlier
+              else tracerPaths traced,
+          tracerSky = if same sceneSky && same sceneSeed && same sceneDebugTextures then tracerSky earlier else tracerSky traced
+        }
 
 -- | The parts of a tracer that take time to compute, for evaluation in advance and in
 -- parallel. Otherwise the first ray that needs a part waits for it.

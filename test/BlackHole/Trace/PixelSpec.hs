@@ -69,6 +69,31 @@ spec = do
             let l = seen (XY x y)
         ]
 
+  it "shows the same light with the tables of an earlier scene" $ do
+    let first = defaultScene {scenePicture = Picture 64 36, sceneSamples = 1}
+        changed how = (first {sceneCamera = (sceneCamera first) {cameraPose = Around 54 (Degrees 60) (Degrees 200)}}) {sceneSamples = how}
+        others =
+          [ changed 1,
+            (changed 4) {scenePicture = Picture 32 18},
+            (changed 1) {sceneCamera = (sceneCamera first) {cameraPose = Around 20 (Degrees 60) (Degrees 200)}},
+            (changed 1) {sceneSeed = 7},
+            (changed 1) {sceneSky = SkyGrid},
+            (changed 1) {sceneDisk = Nothing},
+            (changed 1) {sceneDisk = Just reportDisk},
+            (changed 1) {sceneDebugTextures = True},
+            (changed 1) {sceneSpacetime = Flat}
+          ]
+        points = [XY x y | x <- [3, 9 .. 32], y <- [2, 5 .. 18]]
+    sequence_
+      [ case (tracer first, tracer scene) of
+          (Just earlier, Just fresh)
+            -- Its tables have been made.
+            | luminance (sightRadiance earlier (XY 30 20)) >= 0,
+              Just taken <- tracerAfter earlier Nothing scene ->
+              sequence_ [luminance (sightRadiance taken point) `shouldBeWithin` (1e-9, luminance (sightRadiance fresh point)) | point <- points]
+          _ -> expectationFailure "no tracer"
+        | scene <- others
+      ]
   it "knows the pixels on the edge of the shadow" $
     sequence_
       [ do

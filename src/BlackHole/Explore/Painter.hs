@@ -1,0 +1,207 @@
+-- | The painter of a page.
+--
+-- The newest scene is the only one that counts. The painter shows it at once with few
+-- pixels. If nothing newer comes, it refines the picture; anything newer stops that in
+-- the middle of a row. A page that does not draw its frames gets no more of them, so
+-- that nothing piles up.
+module BlackHole.Explore.Painter
+  ( Wanted (..),
+    Easel (..),
+    paint,
+    fitting,
+    enlarged,
+  )
+where
+
+import BlackHole.Explore.Message (Input)
+import BlackHole.Explore.Pace
+import BlackHole.Explore.Picture
+import BlackHole.Explore.Reply
+import BlackHole.Light.Display (Exposure (..))
+import BlackHole.Render.Film
+import BlackHole.Render.PixelArray
+import BlackHole.Render.PixelShape
+import BlackHole.Scene.Camera (Picture (..))
+import BlackHole.Scene.Scene
+import BlackHole.Trace.EnvironmentMap (EnvironmentMap)
+import BlackHole.Trace.Sky (neededPicture)
+import BlackHole.Trace.Tracer
+import Control.Concurrent (threadDelay)
+import Control.Concurrent.Async
+import Control.Concurrent.STM
+import Control.Monad (forM_, when)
+import Data.Either (fromRight)
+import Data.IORef
+import Data.Maybe (fromMaybe, isJust)
+import qualified Data.Vector.Storable as Vector
+import GHC.Clock (getMonotonicTime)
+
+-- | What a page wants to see.
+data Wanted = Wanted
+  { -- | Grows with every change.
+    wantedTurn :: !Int,
+    wantedInput :: !Input,
+    wantedPreset :: !String,
+    wantedScene :: !Scene,
+    -- | The view's size, once the page has told it.
+    wantedWindow :: !(Maybe (Int, Int))
+  }
+
+-- | What a painter works with.
+data Easel = Easel
+  { easelStudio :: !Studio,
+    easelWanted :: !(TVar Wanted),
+    -- | The numbers of the latest frame that was sent and that the page has drawn.
+    easelSent :: !(TVar Int),
+    easelDrawn :: !(TVar Int),
+    easelShow :: Frame -> IO (),
+    -- | Say why there is no picture of an input.
+    easelRefuse :: Input -> String -> IO ()
+  }
+
+-- | What the painter remembers from picture to picture.
+data Memory = Memory
+  { -- | The environment map and the file that it comes from.
+    memorySky :: !(Maybe (FilePath, EnvironmentMap)),
+    memoryTracer :: !(Maybe Tracer),
+    -- | The latest finished picture: its scene and its film.
+    memoryFinished :: !(Maybe (Scene, Exposed)),
+    memoryPace :: !Pace
+  }
+
+-- | Paint what is wanted, for ever.
+paint :: Easel -> IO ()
+paint easel = go (Memory Nothing Nothing Nothing initialPace) (-1)
+  where
+    studio = easelStudio easel
+    go memory done = do
+      wanted <- atomically $ do
+        w <- readTVar (easelWanted easel)
+        check (wantedTurn w /= done && isJust (wantedWindow w))
+        roomForFrame
+        pure w
+      let window = maybe (Picture 1 1) (fitting (scenePicture (wantedScene wanted))) (wantedWindow wanted)
+          scene = (wantedScene wanted) {scenePicture = window}
+      loaded <- skyFor memory scene
+      case loaded of
+        Left problem -> easelRefuse easel (wantedInput wanted) problem >> go memory (wantedTurn wanted)
+        Right (sky, memory') -> do
+          drawn <- draft sky memory' (wantedInput wanted) scene
+          case drawn of
+            Nothing -> easelRefuse easel (wantedInput wanted) "the scene cannot be traced" >> go memory' (wantedTurn wanted)
+            Just (memory'', film) -> do
+              outcome <- race (superseded wanted) (threadDelay restMicroseconds >> refine sky memory'' (wantedInput wanted) scene film)
+              go (fromRight memory'' outcome) (wantedTurn wanted)
+    superseded wanted = atomically $ do
+      w <- readTVar (easelWanted easel)
+      check (wantedTurn w /= wantedTurn wanted)
+    -- At most two frames are under way.
+    roomForFrame = do
+      sent <- readTVar (easelSent easel)
+      drawn <- readTVar (easelDrawn easel)
+      check (sent - drawn < 2)
+    skyFor memory scene = case (neededPicture scene, memorySky memory) of
+      (Nothing, _) -> pure (Right (Nothing, memory))
+      (Just file, Just (known, picture)) | file == known -> pure (Right (Just picture, memory))
+      (Just file, _) -> do
+        loaded <- studioSky studio scene
+        pure $ case loaded of
+          Right (Just picture) -> Right (Just picture, memory {memorySky = Just (file, picture), memoryTracer = Nothing, memoryFinished = Nothing})
+          Right Nothing -> Right (Nothing, memory)
+          Left problem -> Left problem
+
+    -- A picture at once: the finished one developed anew if that is all that changed.
+    draft sky memory input scene = case memoryFinished memory of
+      Just (finished, exposed) | atExposureZero finished == atExposureZero scene -> do
+        picture <- quickly studio 90 scene (exposedLight exposed)
+        deliver Refining 0 input (scenePicture scene) picture
+        pure (Just (memory, exposedLight exposed))
+      _ -> do
+        start <- getMonotonicTime
+        let size@(Picture width height) = movingSize (memoryPace memory) (scenePicture scene)
+            moving = movingScene size scene
+        drawn <- drafted studio sky (memoryTracer memory) moving
+        case drawn of
+          Nothing -> pure Nothing
+          Just (traced, film) -> do
+            picture <- quickly studio 80 moving film
+            deliver Moving 0 input size picture
+            end <- getMonotonicTime
+            pure (Just (memory {memoryTracer = Just traced, memoryPace = paced (width * height) (end - start) (memoryPace memory)}, film))
+
+    refine sky memory input scene film = case memoryFinished memory of
+      Just (finished, exposed) | undeveloped finished == undeveloped scene -> finish memory input scene exposed
+      _ -> do
+        sharper <- enlarging sky (memoryTracer memory) input scene film
+        latest <- getMonotonicTime >>= newIORef
+        exposed <- completed studio sky scene sharper $ \done so -> do
+          now <- getMonotonicTime
+          before <- readIORef latest
+          free <- atomically ((True <$ roomForFrame) `orElse` pure False)
+          when (free && now - before > 0.25 && done < 1) $ do
+            picture <- quickly studio 92 scene so
+            deliver Refining done input (scenePicture scene) picture
+            getMonotonicTime >>= writeIORef latest
+        maybe (pure memory) (finish memory input scene) exposed
+
+    finish memory input scene exposed = do
+      bytes <- finishedPng studio scene exposed
+      atomically roomForFrame
+      forM_ bytes $ \png -> deliver Finished 1 input (scenePicture scene) png
+      pure memory {memoryFinished = Just (scene, exposed)}
+
+    -- One ray per pixel, with twice as many rows each time, up to the window's size.
+    enlarging sky traced input scene film
+      | size == scenePicture scene = pure film
+      -- The final picture itself has one ray per pixel.
+      | next == scenePicture scene && movingScene next scene == scene = pure (enlarged film next)
+      | otherwise = do
+        drawn <- drafted studio sky traced (movingScene next scene)
+        case drawn of
+          Nothing -> pure (enlarged film (scenePicture scene))
+          Just (traced', larger) -> do
+            picture <- quickly studio 88 (movingScene next scene) larger
+            atomically roomForFrame
+            deliver Refining 0 input next picture
+            enlarging sky (Just traced') input scene larger
+      where
+        size@(Picture width height) = filmSize film
+        Picture most mostRows = scenePicture scene
+        next
+          | 2 * width >= most = Picture most mostRows
+          | otherwise = Picture (2 * width) (max 1 (min mostRows (2 * height)))
+
+    deliver stage done input (Picture width height) picture = do
+      number <- atomically $ do
+        n <- (+ 1) <$> readTVar (easelSent easel)
+        n <$ writeTVar (easelSent easel) n
+      easelShow easel (Frame stage done number input (width, height) picture)
+
+-- | How long nothing new must come before the refinement begins, in microseconds.
+restMicroseconds :: Int
+restMicroseconds = 60000
+
+atExposureZero :: Scene -> Scene
+atExposureZero scene = (undeveloped scene) {sceneExposure = Exposure 0}
+
+-- | The largest size of a picture's shape in a window.
+fitting :: Picture -> (Int, Int) -> Picture
+fitting (Picture width height) (across, down) = Picture (scaled width) (scaled height)
+  where
+    share = min (fromIntegral across / fromIntegral width) (fromIntegral down / fromIntegral height) :: Double
+    scaled side = max 1 (round (share * fromIntegral side))
+
+filmSize :: Film -> Picture
+filmSize film = Picture (shapeWidth (pixelArrayShape film)) (shapeHeight (pixelArrayShape film))
+
+-- | A film at another size, by repeating pixels.
+enlarged :: Film -> Picture -> Film
+enlarged film (Picture width height) =
+  fromMaybe film (pixelShape width height 3 >>= (`fromPixelVector` Vector.generate (3 * width * height) at))
+  where
+    Picture width' height' = filmSize film
+    light = toPixelVector film
+    at i =
+      let (pixel, channel) = i `quotRem` 3
+          (row, column) = pixel `quotRem` width
+       in light Vector.! (3 * (width' * ((row * height') `quot` height) + (column * width') `quot` width) + channel)
