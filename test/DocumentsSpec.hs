@@ -160,7 +160,7 @@ quotations =
     ("docs/physics.md", "b_c = 3√3/2 = 2.598076211353316", "src/BlackHole/Spacetime/Schwarzschild/Radii.hs", "criticalImpactParameter = 2.598076211353316"),
     ("docs/physics.md", "greatest at r = 4.7755", "src/BlackHole/SelfTest/Physics.hs", "peakCheck = Check \"radius of the disk's greatest flux (Page and Thorne)\" (fst (thinDiskPeak (thinDisk noSpin))) 4.7755"),
     ("docs/physics.md", "Tracing stops when t < 0.01", "src/BlackHole/Trace/Gas.hs", "opaqueEnough = 0.01"),
-    ("docs/physics.md", "and 10 beyond r = 40", "src/BlackHole/Spacetime/Schwarzschild/Leapfrog.hs", "| r2 > 1600 = 10"),
+    ("docs/physics.md", "and 10 beyond r = 40", "src/BlackHole/Spacetime/Schwarzschild/LeapfrogStep.hs", "| r2 > 1600 = 10"),
     ("docs/options.md", "1 to 65536", "src/BlackHole/Scene/Field/Table.hs", "maximumPictureSide = 65536"),
     ("docs/sky.md", "8192 by 4096", "src/BlackHole/Image/Panorama.hs", "maximumPanoramaPixels = 8192 * 4096"),
     ("docs/film.md", "64×64", "src/BlackHole/Light/Dither.hs", "ditherTileSide = 64")
