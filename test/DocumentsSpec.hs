@@ -158,7 +158,7 @@ quotations =
     ("docs/architecture.md", "octaves of 64 intervals", "src/BlackHole/Spacetime/Schwarzschild/LensTable.hs", "segmentCount = 64"),
     ("docs/performance.md", "Closer than 2⁻²⁴ to the critical path", "src/BlackHole/Spacetime/Schwarzschild/LensTable.hs", "closest = 0.5 ^^ octaveCount"),
     ("docs/physics.md", "b_c = 3√3/2 = 2.598076211353316", "src/BlackHole/Spacetime/Schwarzschild/Radii.hs", "criticalImpactParameter = 2.598076211353316"),
-    ("docs/physics.md", "greatest at r = 4.7755", "src/BlackHole/Matter/ThinDisk.hs", "peakRadius = 4.77546"),
+    ("docs/physics.md", "greatest at r = 4.7755", "src/BlackHole/SelfTest/Physics.hs", "peakCheck = Check \"radius of the disk's greatest flux (Page and Thorne)\" (fst (thinDiskPeak (thinDisk noSpin))) 4.7755"),
     ("docs/physics.md", "Tracing stops when t < 0.01", "src/BlackHole/Trace/Gas.hs", "opaqueEnough = 0.01"),
     ("docs/physics.md", "and 10 beyond r = 40", "src/BlackHole/Spacetime/Schwarzschild/Leapfrog.hs", "| r2 > 1600 = 10"),
     ("docs/options.md", "1 to 65536", "src/BlackHole/Scene/Field/Table.hs", "maximumPictureSide = 65536"),

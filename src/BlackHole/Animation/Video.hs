@@ -197,14 +197,11 @@ startVideo coder coding rate target = mask_ $ do
     Left reason -> pure (Left reason)
     Right (part, handle) -> do
       hClose handle
-      -- A copy of the handle of a locked file would keep that file locked as long as
-      -- ffmpeg runs.
       launched <-
         reasonOf . createProcess $
           (proc coder (ffmpegArguments coding rate part))
             { std_in = CreatePipe,
-              std_err = CreatePipe,
-              close_fds = True
+              std_err = CreatePipe
             }
       case launched of
         Right (Just input, Nothing, Just complaints, process) -> do

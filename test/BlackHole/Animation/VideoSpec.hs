@@ -2,12 +2,9 @@ module BlackHole.Animation.VideoSpec (spec) where
 
 import BlackHole.Animation.Video
 import BlackHole.Scene.Problem (renderProblem)
-import Control.Exception (bracket)
 import Data.List (isInfixOf)
-import GHC.IO.Handle.Lock (LockMode (ExclusiveLock), hLock, hTryLock)
 import System.Directory
 import System.FilePath ((</>))
-import System.IO (IOMode (ReadWriteMode), hClose, openFile)
 import System.IO.Temp (withSystemTempDirectory)
 import Test.Hspec
 
@@ -61,15 +58,6 @@ spec = do
     abandonVideo video
     doesFileExist (folder </> "animation.mp4") `shouldReturn` False
     leftOver folder `shouldReturn` []
-  it "lets the coder inherit no lock of the program" . inFolder $ \folder -> do
-    coder <- script folder "exec sleep 1000"
-    let locked = openFile (folder </> "lock") ReadWriteMode
-    holding <- locked
-    hLock holding ExclusiveLock
-    video <- started coder (folder </> "animation.mp4")
-    hClose holding
-    bracket locked hClose (`hTryLock` ExclusiveLock) `shouldReturn` True
-    abandonVideo video
   it "says so when there is no such program" . inFolder $ \folder -> do
     outcome <- startVideo (folder </> "nothing") (plain Gif) 24 (folder </> "animation.gif")
     either (const True) (const False) outcome `shouldBe` True

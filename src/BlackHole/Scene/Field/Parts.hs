@@ -41,7 +41,7 @@ import BlackHole.Scene.Scene
 import BlackHole.Scene.Shifts (Shifts (..))
 import BlackHole.Scene.Sky (Panorama (..), PointStars (..), RealSky (..), Sky (..), Stars (..), defaultPointStars, defaultStars, panoramaOf, realSky)
 import BlackHole.Spacetime.Kerr.Landmarks
-import BlackHole.Spacetime.Types (Spacetime (..))
+import BlackHole.Spacetime.Types (Spacetime (..), spacetimeIsco)
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Maybe (isJust)
@@ -142,7 +142,7 @@ spinPart = Part (spinOf . sceneSpacetime) $ \v s -> case (sceneSpacetime s, spin
   (before, Just hole) ->
     let after = if v == 0 then Schwarzschild else Kerr hole
         follow d
-          | abs (Gas.diskInnerRadius d - innermostOrbit before) < 1e-9 = d {Gas.diskInnerRadius = innermostOrbit after}
+          | abs (Gas.diskInnerRadius d - spacetimeIsco before) < 1e-9 = d {Gas.diskInnerRadius = spacetimeIsco after}
           | otherwise = d
      in s {sceneSpacetime = after, sceneDisk = follow <$> sceneDisk s}
   where
@@ -150,9 +150,6 @@ spinPart = Part (spinOf . sceneSpacetime) $ \v s -> case (sceneSpacetime s, spin
       Flat -> Nothing
       Schwarzschild -> Just 0
       Kerr hole -> Just (dimensionlessSpin hole)
-    innermostOrbit space = case space of
-      Kerr hole -> iscoRadius RightHanded hole
-      _ -> 3
 
 -- | Whether there is a disk.
 presencePart :: Part Scene Bool
