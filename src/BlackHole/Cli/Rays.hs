@@ -21,11 +21,13 @@ import BlackHole.Figure.Svg (renderSvg)
 import BlackHole.Image.AtomicFile
 import BlackHole.Image.Metadata (software)
 import BlackHole.Scene.Validate (Problem (..))
+import BlackHole.Spacetime.Kerr.Landmarks (noSpin, spin)
 import Codec.Picture.Metadata (Keys (..), singleton)
 import Codec.Picture.Png (encodePngWithMetadata)
 import Control.Monad (unless)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (toLower)
+import Data.Maybe (fromMaybe)
 import GHC.Clock (getMonotonicTime)
 import Options.Applicative
 import System.FilePath (takeExtension)
@@ -35,6 +37,7 @@ data RaysOptions = RaysOptions
   { raysCount :: !Int,
     raysExtent :: !Double,
     raysWidth :: !Int,
+    raysSpin :: !Double,
     raysOutput :: !FilePath,
     raysQuiet :: !Bool
   }
@@ -77,6 +80,14 @@ raysOptions =
           )
       )
     <*> settingOr
+      0
+      ( option
+          number
+          ( long "spin" <> metavar "A"
+              <> help "Spin of the hole, above -1 and below 1: the rays lie in the equatorial plane, and a positive spin turns anticlockwise (default: 0)"
+          )
+      )
+    <*> settingOr
       "rays.svg"
       ( strOption
           ( long "output" <> short 'o' <> metavar "FILE" <> action "file"
@@ -98,8 +109,8 @@ data RaysTask = RaysTask
 
 -- | The figure that the options ask for, or all their mistakes (at least one).
 resolveRays :: RaysOptions -> Either [Problem] RaysTask
-resolveRays (RaysOptions count extent width output _) = case (format, problems) of
-  (Just f, []) -> Right (RaysTask f (RayFan count extent width))
+resolveRays (RaysOptions count extent width a output _) = case (format, problems) of
+  (Just f, []) -> Right (RaysTask f (RayFan count extent width (fromMaybe noSpin (spin a))))
   (Just _, _) -> Left problems
   (Nothing, _) ->
     Left
@@ -111,10 +122,13 @@ resolveRays (RaysOptions count extent width output _) = case (format, problems) 
       checkWhole "--rays" 1 1001 "" count
         ++ checkNumber
           "--extent"
-          (\r -> r >= 4 && r <= 1000)
-          "a length from 4 to 1000 (Schwarzschild radii)"
+          (\r -> r >= least && r <= 1000)
+          ("a length from " ++ showDouble least ++ " to 1000 (Schwarzschild radii)")
           extent
+        ++ checkNumber "--spin" ((< 1) . abs) "a spin above -1 and below 1" a
         ++ checkWhole "--width" 200 4096 " (pixels)" width
+    -- The impact parameter of light on a retrograde orbit can be 3.5.
+    least = if a == 0 then 4 else 5
     format = case map toLower (takeExtension output) of
       ".svg" -> Just Svg
       ".png" -> Just Png

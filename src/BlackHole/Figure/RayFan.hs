@@ -3,6 +3,7 @@ module BlackHole.Figure.RayFan
   ( RayFan (..),
     defaultRayFan,
     fanImpactParameters,
+    fanCriticalParameters,
     RayClass (..),
     rayClass,
     rayFanFigure,
@@ -12,6 +13,9 @@ where
 import BlackHole.Figure.Figure
 import BlackHole.Numeric.Angle (Radians (..))
 import BlackHole.Spacetime.Fate
+import BlackHole.Spacetime.Kerr.EquatorialRay
+import BlackHole.Spacetime.Kerr.Landmarks hiding (horizonRadius)
+import qualified BlackHole.Spacetime.Kerr.Landmarks as Kerr
 import BlackHole.Spacetime.Photon (Photon (..))
 import BlackHole.Spacetime.Schwarzschild.Radii
 import BlackHole.Spacetime.Schwarzschild.Trajectory
@@ -29,23 +33,35 @@ data RayFan = RayFan
     -- parameter must fit into three quarters of it.
     fanExtent :: !Double,
     -- | Width of the whole figure in pixels.
-    fanWidth :: !Int
+    fanWidth :: !Int,
+    -- | The hole's spin. With spin the rays lie in the equatorial plane, seen from the
+    -- side of the spin vector: a positive spin turns anticlockwise.
+    fanSpin :: !Spin
   }
   deriving (Eq, Show)
 
--- | 31 rays, eight Schwarzschild radii to either side, and 1200 pixels.
+-- | 31 rays, eight Schwarzschild radii to either side, 1200 pixels, and no spin.
 defaultRayFan :: RayFan
-defaultRayFan = RayFan 31 8 1200
+defaultRayFan = RayFan 31 8 1200 noSpin
 
 -- | The ratio of height to width of the plotted rectangle.
 aspect :: Double
 aspect = 0.75
 
+-- | The impact parameters, signed as the height at which the light comes in, that lead
+-- to the photon orbits: below the hole and above it. Light that passes below turns
+-- anticlockwise.
+fanCriticalParameters :: Spin -> (Double, Double)
+fanCriticalParameters hole
+  | hole == noSpin = (negate criticalImpactParameter, criticalImpactParameter)
+  | otherwise =
+    (negate (criticalAngularMomentum RightHanded hole), negate (criticalAngularMomentum LeftHanded hole))
+
 -- | The signed impact parameters of the rays in ascending order. From eight rays on,
--- four of them lie within a thousandth of the critical impact parameter, on both sides
--- of it and of the hole. The others are evenly spaced over the figure's height.
+-- four of them lie within a thousandth of the critical impact parameters, on both sides
+-- of them and of the hole. The others are evenly spaced over the figure's height.
 fanImpactParameters :: RayFan -> [Double]
-fanImpactParameters (RayFan count extent _)
+fanImpactParameters (RayFan count extent _ hole)
   | count < 8 = spread count
   | otherwise = merge (spread (count - 4)) critical
   where
@@ -54,9 +70,8 @@ fanImpactParameters (RayFan count extent _)
       | n <= 1 = [0 | n == 1]
       | otherwise = [top * (2 * fromIntegral k / fromIntegral (n - 1) - 1) | k <- [0 .. n - 1]]
     critical =
-      [ s * criticalImpactParameter * f
-        | (s, f) <- [(-1, 1.001), (-1, 0.999), (1, 0.999), (1, 1.001)]
-      ]
+      [b * f | (b, f) <- [(below, 1.001), (below, 0.999), (above, 0.999), (above, 1.001)]]
+    (below, above) = fanCriticalParameters hole
     merge (a : as) (b : bs)
       | a <= b = a : merge as (b : bs)
       | otherwise = b : merge (a : as) bs
@@ -80,6 +95,19 @@ rayClass trajectory
     Escaped _ -> Escaping
     _ -> Falling
 
+-- | The class of a ray around a rotating hole, with its turns counted down to midway
+-- between the horizon and the innermost photon orbit: farther in all light turns with
+-- the hole.
+equatorialClass :: Spin -> EquatorialRay -> RayClass
+equatorialClass hole ray
+  | abs (sum (zipWith turned azimuths (drop 1 azimuths))) >= 2 * pi = Winding
+  | equatorialEscapes ray = Escaping
+  | otherwise = Falling
+  where
+    azimuths = [phi | (r, phi) <- equatorialPoints ray, r > innermost]
+    innermost = 0.5 * (Kerr.horizonRadius hole + min (photonOrbitRadius RightHanded hole) (photonOrbitRadius LeftHanded hole))
+    turned from to = let d = to - from in d - 2 * pi * fromIntegral (round (d / (2 * pi)) :: Int)
+
 -- | The line of sight whose plane contains the rays. It comes from +y, which the figure
 -- turns to its left edge.
 fanSight :: Sight
@@ -88,14 +116,19 @@ fanSight = Sight (Radians 0) (Radians 0)
 -- | The figure: rays from the left edge, the hole, the photon sphere, the critical
 -- impact parameter, axes in Schwarzschild radii, and a legend.
 rayFanFigure :: RayFan -> Figure
-rayFanFigure fan@(RayFan _ extent width) =
+rayFanFigure fan@(RayFan _ extent width rotation) =
   Figure
     { figureWidth = width,
       figureHeight = ceiling (top + plotHeight + 3.4 * font),
       figureTitle =
-        "Parallel light rays from infinity around a black hole, lengths in Schwarzschild radii",
+        if rotating
+          then
+            "Parallel light rays from infinity in the equatorial plane of a black hole with spin "
+              ++ spinText
+              ++ ", lengths in Schwarzschild radii"
+          else "Parallel light rays from infinity around a black hole, lengths in Schwarzschild radii",
       figureShapes =
-        [Clipped plot (concatMap drawnRay drawingOrder ++ asymptotes ++ hole), frame]
+        [Clipped plot (if rotating then hole ++ rayShapes ++ asymptotes else rayShapes ++ asymptotes ++ hole), frame]
           ++ concatMap xTick ticks
           ++ concatMap yTick yTicks
           ++ titles
@@ -114,18 +147,30 @@ rayFanFigure fan@(RayFan _ extent width) =
     at x y = XY (left + 0.5 * plotWidth + unit * x) (top + 0.5 * plotHeight - unit * y)
     hairline = max 0.8 (w / 1200)
 
+    rotating = rotation /= noSpin
+    rayShapes = concatMap drawnRay drawingOrder
+    spinText = show (dimensionlessSpin rotation)
+    (criticalBelow, criticalAbove) = fanCriticalParameters rotation
+
     -- Winding rays are on top, because they share their paths with others.
     drawingOrder =
-      [ (kind, trajectory, b < 0)
+      [ (kind, points)
         | kind <- [Escaping, Falling, Winding],
           b <- fanImpactParameters fan,
-          let trajectory = trajectoryFromInfinity fanSight (abs b),
-          rayClass trajectory == kind
+          let (found, points) = if rotating then rotatingRay b else staticRay b,
+          found == kind
       ]
-    drawnRay (kind, trajectory, mirrored) =
-      case map (spot mirrored) (trajectoryPoints (1.6 * extent) 0.03 trajectory) of
+    staticRay b = (rayClass trajectory, map (spot (b < 0)) (trajectoryPoints farthest 0.03 trajectory))
+      where
+        trajectory = trajectoryFromInfinity fanSight (abs b)
+    rotatingRay b = (equatorialClass rotation ray, [at (r * cos phi) (r * sin phi) | (r, phi) <- equatorialPoints ray])
+      where
+        ray = equatorialRay rotation farthest 0.03 pi (negate b)
+    farthest = 1.6 * extent
+    drawnRay (kind, points) =
+      case points of
         [] -> []
-        points ->
+        _ ->
           Polyline (Stroke (classColour kind) (1.9 * hairline) Nothing) points :
           arrowOn
             (classColour kind)
@@ -156,23 +201,31 @@ rayFanFigure fan@(RayFan _ extent width) =
       [ Polyline
           (Stroke ink (1.5 * hairline) (Just (7 * hairline, 5 * hairline)))
           [at (-extent) b, at extent b]
-        | b <- [criticalImpactParameter, negate criticalImpactParameter]
+        | b <- [criticalAbove, criticalBelow]
       ]
-    hole =
-      [ Disc ink (at 0 0) (unit * horizonRadius),
-        Ring
-          (Stroke ink (1.5 * hairline) (Just (4 * hairline, 5 * hairline)))
-          (at 0 0)
-          (unit * photonSphereRadius)
-      ]
+    hole
+      | rotating =
+        [ Disc ergosphereColour (at 0 0) (unit * ergosphereRadius rotation 0),
+          Disc ink (at 0 0) (unit * Kerr.horizonRadius rotation),
+          Ring (Stroke ink (1.5 * hairline) nearDashes) (at 0 0) (unit * photonOrbitRadius prograde rotation),
+          Ring (Stroke ink (1.5 * hairline) farDashes) (at 0 0) (unit * photonOrbitRadius retrograde rotation)
+        ]
+      | otherwise =
+        [ Disc ink (at 0 0) (unit * horizonRadius),
+          Ring (Stroke ink (1.5 * hairline) nearDashes) (at 0 0) (unit * photonSphereRadius)
+        ]
+    nearDashes = Just (4 * hairline, 5 * hairline)
+    farDashes = Just (9 * hairline, 4 * hairline)
+    (prograde, retrograde)
+      | dimensionlessSpin rotation < 0 = (LeftHanded, RightHanded)
+      | otherwise = (RightHanded, LeftHanded)
     marks =
       [ Words . Label (at (-0.97 * extent) (b + rise * font / unit)) AtStart font ink True $
           [ Plain ("b = " ++ sign ++ "b"),
             Subscript "c",
-            Plain (" = " ++ sign ++ decimals 3 criticalImpactParameter)
+            Plain (" = " ++ sign ++ decimals 3 (abs b))
           ]
-        | (b, sign, rise) <-
-            [(criticalImpactParameter, "", 0.5), (negate criticalImpactParameter, "\8722", -1.15)]
+        | (b, sign, rise) <- [(criticalAbove, "", 0.5), (criticalBelow, "\8722", -1.15)]
       ]
 
     frame =
@@ -228,14 +281,25 @@ rayFanFigure fan@(RayFan _ extent width) =
     legendEntries =
       [ (sampleLine (classColour Escaping) Nothing, "escapes"),
         (sampleLine (classColour Falling) Nothing, "captured"),
-        (sampleLine (classColour Winding) Nothing, "winds around the hole"),
-        (sampleDisc, "horizon, r = 1"),
-        (sampleLine ink (Just (4 * hairline, 5 * hairline)), "photon sphere, r = 1.5")
+        (sampleLine (classColour Winding) Nothing, "winds around the hole")
       ]
+        ++ landmarkEntries
+    landmarkEntries
+      | rotating =
+        [ (sampleDisc ink, "horizon, " ++ decimals 3 (Kerr.horizonRadius rotation)),
+          (sampleDisc ergosphereColour, "ergosphere, 1"),
+          (sampleLine ink nearDashes, "prograde, " ++ decimals 3 (photonOrbitRadius prograde rotation)),
+          (sampleLine ink farDashes, "retrograde photon orbit, " ++ decimals 3 (photonOrbitRadius retrograde rotation))
+        ]
+      | otherwise =
+        [ (sampleDisc ink, "horizon, r = 1"),
+          (sampleLine ink nearDashes, "photon sphere, r = 1.5")
+        ]
     -- Space for the preceding entries in units of the legend's font size, sufficient
     -- for the widest common sans-serif fonts.
-    legendStart n = left + legendFont * sum (take n [7.8, 8.6, 15.4, 11 :: Double])
-    legendFont = 0.86 * font
+    legendStart n = left + legendFont * sum (take n widths)
+    widths = [7.8, 8.6, 15.4] ++ (if rotating then [11, 10.5, 11] else [11 :: Double])
+    legendFont = (if rotating then 0.66 else 0.86) * font
     entry n (sample, s) =
       let x = legendStart n
           y = 0.45 * top
@@ -252,7 +316,7 @@ rayFanFigure fan@(RayFan _ extent width) =
                ]
     sampleLine colour gaps x y =
       [Polyline (Stroke colour (2.2 * hairline) gaps) [XY x y, XY (x + 1.7 * legendFont) y]]
-    sampleDisc x y = [Disc ink (XY (x + 1.2 * legendFont) y) (0.5 * legendFont)]
+    sampleDisc colour x y = [Disc colour (XY (x + 1.2 * legendFont) y) (0.5 * legendFont)]
 
 -- | The distance between the axes' labels: 1, 2 or 5 times a power of ten, chosen to
 -- give at most eight labels on each side.
@@ -275,6 +339,7 @@ classColour kind = case kind of
   Falling -> Colour 213 94 0
   Winding -> Colour 0 158 115
 
-ink, axisColour :: Colour
+ink, axisColour, ergosphereColour :: Colour
 ink = Colour 26 28 34
 axisColour = Colour 70 74 84
+ergosphereColour = Colour 204 206 212

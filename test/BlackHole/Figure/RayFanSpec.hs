@@ -4,11 +4,13 @@ import BlackHole.Figure.Figure
 import BlackHole.Figure.RayFan
 import BlackHole.Figure.StrokeFont (glyph)
 import BlackHole.Numeric.Angle (Radians (..))
+import BlackHole.Spacetime.Kerr.EquatorialRay
+import BlackHole.Spacetime.Kerr.Landmarks (Handedness (..), Spin, dimensionlessSpin, horizonRadius, noSpin, photonOrbitRadius, spin)
 import BlackHole.Spacetime.Schwarzschild.Radii (criticalImpactParameter)
 import BlackHole.Spacetime.Schwarzschild.Trajectory (Sight (..), trajectoryFromInfinity)
 import BlackHole.Vector.XY (XY (..))
 import Data.List (sort)
-import Data.Maybe (isNothing)
+import Data.Maybe (fromMaybe, isNothing, mapMaybe)
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck
@@ -17,7 +19,7 @@ spec :: Spec
 spec = do
   describe "impact parameters" $ do
     prop "are as many as asked for, in order, and mirror images" $
-      forAll (RayFan <$> choose (1, 300) <*> choose (4, 100) <*> pure 600) $ \fan ->
+      forAll (RayFan <$> choose (1, 300) <*> choose (4, 100) <*> pure 600 <*> pure noSpin) $ \fan ->
         let bs = fanImpactParameters fan
          in length bs === fanRays fan
               .&&. bs === sort bs
@@ -52,8 +54,70 @@ spec = do
     it "uses only characters that the line font has" $
       filter (isNothing . glyph) (concat [concatMap characters (labelRuns l) | extent <- [4, 8, 90], Words l <- figureShapes (rayFanFigure defaultRayFan {fanExtent = extent})])
         `shouldBe` ""
+  describe "rays around a rotating hole" $ do
+    it "are captured between the two critical impact parameters, and only there" $
+      [ (s, b)
+        | s <- spins,
+          let (below, above) = fanCriticalParameters s,
+          b <- [below * 1.0001, below * 0.9999, 0, above * 0.9999, above * 1.0001],
+          equatorialEscapes (equatorialRay s 12 0.03 pi (negate b)) /= (b < below || b > above)
+      ]
+        `shouldBe` []
+    it "have critical impact parameters as Bardeen, Press and Teukolsky give them for the fastest hole" $
+      [fanCriticalParameters s | Just s <- [spin (1 - 1e-14)]]
+        `shouldSatisfy` all (\(below, above) -> abs (below + 1) < 1e-6 && abs (above - 3.5) < 1e-6)
+    it "follow the equations of motion of the hole, forwards" $
+      -- A Runge-Kutta integration of dφ/dw by the potentials of the unreversed hole.
+      [ (s, b, turned, expected)
+        | s <- spins,
+          b <- [-7, -4, 4.5, 7],
+          let ((r0, phi0), (r1, phi1)) = inwardEnds (equatorialPoints (equatorialRay s 12 0.01 pi (negate b)))
+              turned = remainder (phi1 - phi0)
+              expected = remainder (azimuthBetween s (negate b) r0 r1),
+          abs (turned - expected) > 1e-8
+      ]
+        `shouldBe` []
+    it "come from the direction asked for" $
+      [ (s, b)
+        | s <- spins,
+          b <- [-7, 4.5],
+          (_, phi) : _ <- [equatorialPoints (equatorialRay s 1e6 0.03 0 (negate b))],
+          abs (remainder phi + b / 1e6) > 1e-10
+      ]
+        `shouldBe` []
+    it "are drawn with horizon, ergosphere and both photon orbits to scale" $
+      [ [d / ergosphere | Disc _ _ d <- shapes] ++ [o / ergosphere | Ring _ _ o <- shapes]
+        | s <- take 1 spins,
+          Clipped _ shapes <- figureShapes (rayFanFigure defaultRayFan {fanSpin = s}),
+          Disc _ _ ergosphere <- take 1 shapes
+      ]
+        `shouldSatisfy` all
+          (\found -> and (zipWith (\x y -> abs (x - y) < 1e-9) found [1, horizonRadius fast, photonOrbitRadius RightHanded fast, photonOrbitRadius LeftHanded fast]) && length found == 4)
   where
+    spins = mapMaybe spin [0.9, -0.9, 0.3, 0.998]
+    fast = fromMaybe noSpin (spin 0.9)
+    remainder x = x - 2 * pi * fromIntegral (round (x / (2 * pi)) :: Int)
+    inwardEnds points = case takeWhile (uncurry (>)) (zip (map fst points) (drop 1 (map fst points))) of
+      inward -> (points !! 0, points !! (length inward `div` 2))
     figure = rayFanFigure defaultRayFan
     characters run = case run of
       Plain s -> s
       Subscript s -> s
+
+-- | The azimuth in radians that light of angular momentum λ turns on the way in from one
+-- radius to another: the integral of dφ/dr by Simpson's rule in 1/r.
+azimuthBetween :: Spin -> Double -> Double -> Double -> Double
+azimuthBetween hole lambda from to = h / 3 * sum [weight k * rate (1 / from + h * fromIntegral k) | k <- [0 .. n]]
+  where
+    n = 4000 :: Int
+    h = (1 / to - 1 / from) / fromIntegral n
+    weight k
+      | k == 0 || k == n = 1
+      | odd k = 4
+      | otherwise = 2 :: Double
+    a = 0.5 * dimensionlessSpin hole
+    rate w = (lambda - a + a * p / delta) / sqrt (p * p - delta * (lambda - a) * (lambda - a)) / (w * w)
+      where
+        r = 1 / w
+        p = r * r + a * a - a * lambda
+        delta = r * r - r + a * a
