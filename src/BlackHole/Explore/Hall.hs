@@ -54,7 +54,7 @@ newHall studio start text = do
   thumbnails <- newMVar Map.empty
   pure (Hall studio start pages job worker thumbnails text)
 
--- | Whether somebody needs the program: a page is open, or a picture is being rendered.
+-- | Whether the program is needed: a page is open, or a picture is being rendered.
 busy :: Hall -> STM Bool
 busy hall = do
   pages <- readTVar (hallPages hall)

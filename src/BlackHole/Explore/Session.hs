@@ -1,5 +1,5 @@
 -- | The conversation with one page of @blackhole explore@: what its messages do, and
--- what it is told.
+-- what it is sent.
 module BlackHole.Explore.Session
   ( converse,
   )
