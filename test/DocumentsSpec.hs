@@ -265,7 +265,7 @@ replacing old new text
   | otherwise = []
 
 -- | Runs command lines, one after the other, in a copy of the folder that has what they
--- start from. A film's state is also told by the code for missing frames.
+-- start from. The exit code for missing frames also counts as success.
 allWork :: FilePath -> [Command] -> Expectation
 allWork files commands = unless (null commands) $ do
   found <- findExecutable "blackhole"

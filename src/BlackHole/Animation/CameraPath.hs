@@ -93,7 +93,7 @@ alongPath path duration seconds scene = case path of
     properTime (FallsTo end) from = fallTime space cosine from end * seconds / duration
     space = sceneSpacetime scene
     cosine = let XYZ _ y _ = posePosition pose in y / start
-    -- The hole stays where it is in the picture of somebody who looks at it;
+    -- The hole stays where it is in the picture of a camera that looks at it;
     -- another direction of sight is kept as well.
     moveTo r = case pose of
       Around _ inclination azimuth -> Around r inclination azimuth

@@ -10,6 +10,7 @@ module BlackHole.Cli.Console
     OutputProblem (..),
     outputIsClosed,
     say,
+    message,
     tell,
     succeeded,
   )
@@ -57,10 +58,15 @@ outputIsClosed = do
 
 -- | A message of one line on standard error, after the program's name.
 say :: String -> IO ()
-say line = tellWithin 1000000 ("blackhole: " ++ printable line ++ "\n")
+say line = message ("blackhole: " ++ printable line ++ "\n")
+
+-- | A text on standard error, as it is. Waits at most a second for a reader.
+message :: String -> IO ()
+message = tellWithin 1000000
 
 -- | Progress on standard error, as it is. Takes at most some 10 ms, also if standard
--- error is a pipe whose reader does not read.
+-- error is a pipe whose reader does not read. On a busy machine it may be lost, which
+-- does no harm to a text that the next one replaces.
 tell :: String -> IO ()
 tell = tellWithin 10000
 
@@ -69,7 +75,7 @@ tell = tellWithin 10000
 succeeded :: Double -> FilePath -> String -> IO ()
 succeeded start file content = do
   end <- getMonotonicTime
-  tell
+  message
     ( printable
         ( (if file == "-" then "standard output" else file) ++ ": " ++ content ++ ", "
             ++ showFFloat (Just 1) (end - start) " s"

@@ -19,10 +19,10 @@ import BlackHole.Cli.Read
 import BlackHole.Cli.RunOptions (threadsOption)
 import BlackHole.Cli.SceneOptions
 import BlackHole.Explore.Access
-import BlackHole.Explore.Hall
 import BlackHole.Explore.PageFiles
 import BlackHole.Explore.Picture
 import BlackHole.Explore.Server
+import BlackHole.Explore.ServerState
 import BlackHole.Explore.Service
 import BlackHole.Explore.Session
 import BlackHole.Image.SkyFile
@@ -80,14 +80,14 @@ explore options = case serve of
         (_, Left problem) -> complain BadInput problem
         (Right scene, _) -> do
           workers <- maybe defaultWorkers pure (workersFromCount =<< exploreThreads options)
-          withWorkers workers (serving server (Studio workers skyOf room) scene)
+          withWorkers workers (serving server (Renderer workers skyOf room) scene)
   where
     portProblems = [Problem "--port" (show n) "a port from 1 to 65535" | Just n <- [explorePort options], n < 1 || n > 65535]
     skyOf = fmap (fmap (fmap skyFileImage)) . loadSky
     room format scene = memoryProblem (Making (WholePicture format) False False) scene (pictureHeight (scenePicture scene))
     preset = fromMaybe "default" (scenePreset (exploreScene options))
-    serving server studio scene = do
-      hall <- newHall studio (preset, scene) (Builder.toLazyByteString . Builder.stringUtf8 . renderJson . replyJson)
+    serving server renderer scene = do
+      state <- newServerState renderer (preset, scene) (Builder.toLazyByteString . Builder.stringUtf8 . renderJson . replyJson)
       token <- newToken
       let access = Access token
           table = Builder.toLazyByteString (Builder.stringUtf8 (renderJson tableJson))
@@ -100,19 +100,19 @@ explore options = case serve of
               Just program -> start program address
               Nothing -> say ("no browser here; from another machine, run ssh -L " ++ show port ++ ":127.0.0.1:" ++ show port ++ " with this one's name and open the address there (without a browser: blackhole render --preview)")
       -- A picture that is being rendered leaves nothing behind.
-      ended <- race (server (explorePort options) (\port -> service (access port) hall table) announce) (deserted hall) `finally` (readTVarIO (hallWorker hall) >>= mapM_ cancel)
+      ended <- race (server (explorePort options) (\port -> service (access port) state table) announce) (deserted state) `finally` (readTVarIO (stateWorker state) >>= mapM_ cancel)
       case ended of
         Left (Left reason) -> complain CannotWrite ("explore: cannot listen on port " ++ maybe "of its own" show (explorePort options) ++ ": " ++ reason)
         _ -> pure Done
     -- Returns half a minute after the last page was closed.
-    deserted hall
+    deserted state
       | exploreKeep options = atomically retry
       | otherwise = do
-        atomically (busy hall >>= check)
-        atomically (busy hall >>= check . not)
+        atomically (busy state >>= check)
+        atomically (busy state >>= check . not)
         late <- registerDelay 30000000
-        again <- atomically ((True <$ (busy hall >>= check)) `orElse` (False <$ (readTVar late >>= check)))
-        when again (deserted hall)
+        again <- atomically ((True <$ (busy state >>= check)) `orElse` (False <$ (readTVar late >>= check)))
+        when again (deserted state)
     start program address = do
       outcome <- try (void (createProcess (proc program [address]) {std_in = NoStream, std_out = NoStream, std_err = NoStream, close_fds = True, new_session = True}))
       either (\failure -> say ("cannot run " ++ program ++ ": " ++ show (failure :: IOException))) pure outcome
@@ -126,16 +126,16 @@ browser
     if any (maybe False (not . null)) displays then findExecutable "xdg-open" else pure Nothing
 
 -- | What the server serves to those who know the token: the page, the table of settings,
--- and pictures of the presets; and the conversation.
-service :: Access -> Hall -> Lazy.ByteString -> Service
-service access hall table =
+-- and pictures of the presets; and the connection.
+service :: Access -> ServerState -> Lazy.ByteString -> Service
+service access state table =
   Service
     { serviceAnswer = \asked -> case admitted access asked of
         Left refusal -> pure refusal
         Right "table.json" -> pure (Content "application/json" table)
         Right path
           | (kind, contents) : _ <- [(k, c) | (name, k, c) <- pageFiles, name == path] -> pure (Content kind (Lazy.fromStrict contents))
-          | Just name <- Char8.stripPrefix "preset/" path >>= Char8.stripSuffix ".jpg" -> maybe Missing (Content "image/jpeg") <$> presetThumbnail hall (Char8.unpack name)
+          | Just name <- Char8.stripPrefix "preset/" path >>= Char8.stripSuffix ".jpg" -> maybe Missing (Content "image/jpeg") <$> presetThumbnail state (Char8.unpack name)
           | otherwise -> pure Missing,
-      serviceTalk = \asked -> if admittedTalk access asked then Just (converse hall) else Nothing
+      serviceTalk = \asked -> if admittedTalk access asked then Just (serveSession state) else Nothing
     }

@@ -41,7 +41,7 @@ data Making = Making
   }
   deriving (Eq, Show)
 
--- | The memory in bytes that so many rows of a scene's picture take at most from
+-- | The memory in bytes that a number of rows of a scene's picture take at most from
 -- light to file. The numbers are measured ("BlackHole.Cli.MemorySpec" measures them
 -- again): at least 12 bytes a pixel of light, and what a stage holds beside it.
 pictureMemory :: Making -> Scene -> Int -> Integer
@@ -94,7 +94,7 @@ availableMemory = do
     asNumber (ResourceLimit n) = Just n
     asNumber _ = Nothing
 
--- | One line if so many rows need more memory than there is.
+-- | One line if a number of rows need more memory than is available.
 memoryProblem :: Making -> Scene -> Int -> IO (Maybe String)
 memoryProblem making scene rows = judge <$> availableMemory
   where

@@ -127,7 +127,7 @@ pictureSucceeded reported start file (width, height) = case progressMode reporte
   _ | reportQuiet reported -> pure ()
   JsonProgress -> do
     end <- getMonotonicTime
-    tell . (++ "\n") . jsonLine $
+    message . (++ "\n") . jsonLine $
       Object
         [ ("file", Text file),
           ("width", Whole width),

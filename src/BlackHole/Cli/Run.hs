@@ -2,7 +2,7 @@
 module BlackHole.Cli.Run (run) where
 
 import BlackHole.Cli.Animate.Animate (animate)
-import BlackHole.Cli.Console (say, tell)
+import BlackHole.Cli.Console (message, say)
 import BlackHole.Cli.ExitStatus
 import BlackHole.Cli.Explore (explore)
 import BlackHole.Cli.Help (CommandHelp (commandName))
@@ -43,7 +43,7 @@ dispatch arguments
   | otherwise =
     mapM_ say (formerOptionWarnings arguments) >> case parseArguments versionLine arguments of
       Inform text -> printed Done (text ++ "\n")
-      Unnamed text -> UsageError <$ tell (text ++ "\n")
+      Unnamed text -> UsageError <$ message (text ++ "\n")
       Misused line ->
         complain
           UsageError

@@ -118,7 +118,7 @@ valueSchema doc kind = Object (("description", Text doc) : ofKind)
       SwitchKind ->
         [("enum", List ([Truth True, Truth False] ++ map Text ["on", "off", "yes", "no"]))]
       ChoiceKind _ choices -> [("enum", List (map (Text . fst) choices))]
-      -- Names of files are told from choices by a period or slash.
+      -- A period or slash distinguishes the name of a file from a choice.
       ChoiceOrFileKind _ choices _ ->
         [ ( "anyOf",
             List

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Who may talk to @blackhole explore@: only a page that it served itself, to somebody
--- who was given its address.
+-- | Access to @blackhole explore@: only for a page that it served itself, to a browser
+-- that knows its address.
 --
 -- The server listens on the loopback interface, but any page in the same browser can
 -- send requests there. Three checks keep such pages out. The path of every request

@@ -32,7 +32,7 @@ targetSeconds = 0.053
 smallestMoving :: Int
 smallestMoving = 2304
 
--- | The pace after a picture of so many pixels that took so many seconds. The size
+-- | The pace after a picture with a number of pixels that took a number of seconds. The size
 -- changes only by steps of an eighth, so that it does not flicker.
 paced :: Int -> Double -> Pace -> Pace
 paced pixels seconds (Pace before chosen) = Pace cost (if wanted > 1.2 * chosen || wanted < chosen / 1.15 then wanted else chosen)

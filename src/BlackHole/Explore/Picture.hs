@@ -1,7 +1,7 @@
 -- | The pictures that a page shows: small ones while something moves, then larger ones,
 -- and in the end the bytes that @render@ writes.
 module BlackHole.Explore.Picture
-  ( Studio (..),
+  ( Renderer (..),
     movingScene,
     drafted,
     undeveloped,
@@ -34,13 +34,13 @@ import Data.List.NonEmpty (NonEmpty (..))
 import qualified Data.Vector.Storable as Vector
 
 -- | What all pictures share.
-data Studio = Studio
-  { studioWorkers :: !Workers,
+data Renderer = Renderer
+  { rendererWorkers :: !Workers,
     -- | The environment map of a scene, if it needs one, or one line that says what is
     -- wrong with it.
-    studioSky :: Scene -> IO (Either String (Maybe EnvironmentMap)),
+    rendererSky :: Scene -> IO (Either String (Maybe EnvironmentMap)),
     -- | Why a scene's picture does not fit into memory, if it does not.
-    studioRoom :: Format -> Scene -> IO (Maybe String)
+    rendererRoom :: Format -> Scene -> IO (Maybe String)
   }
 
 -- | A scene with one ray per pixel, at a size. The table of light paths shows the paths
@@ -50,10 +50,10 @@ movingScene size scene = scene {scenePicture = size, sceneSamples = 1, sceneInte
 
 -- | The film of a scene, with the tracer that made it. Takes over the tables of an
 -- earlier tracer where they are equal ('tracerAfter').
-drafted :: Studio -> Maybe EnvironmentMap -> Maybe Tracer -> Scene -> IO (Maybe (Tracer, Film))
-drafted studio sky before scene = case maybe (tracerWithSky sky scene) (\earlier -> tracerAfter earlier sky scene) before of
+drafted :: Renderer -> Maybe EnvironmentMap -> Maybe Tracer -> Scene -> IO (Maybe (Tracer, Film))
+drafted renderer sky before scene = case maybe (tracerWithSky sky scene) (\earlier -> tracerAfter earlier sky scene) before of
   Nothing -> pure Nothing
-  Just traced -> fmap ((,) traced . exposedLight) <$> exposeTraced traced (studioWorkers studio) (const (pure ())) (0, pictureHeight (scenePicture scene))
+  Just traced -> fmap ((,) traced . exposedLight) <$> exposeTraced traced (rendererWorkers renderer) (const (pure ())) (0, pictureHeight (scenePicture scene))
 
 -- | A scene without what only the development of its film depends on. The exposure is
 -- kept: it decides which pixels get more rays.
@@ -71,8 +71,8 @@ undeveloped scene =
     }
 
 -- | A film developed for a scene as a JPEG of a quality.
-quickly :: Studio -> Int -> Scene -> Film -> IO Lazy.ByteString
-quickly studio quality scene film = do
+quickly :: Renderer -> Int -> Scene -> Film -> IO Lazy.ByteString
+quickly renderer quality scene film = do
   recorded <- opticsFilm workers scene film
   codes <- developFilm workers (sceneDevelopment scene) recorded
   pure (encodeJpeg quality (Metadata software defaultCoding Bytes.empty) codes)
@@ -81,14 +81,14 @@ quickly studio quality scene film = do
     -- above all where other programs want the processors too.
     workers
       | shapeLength (pixelArrayShape film) < 400000 = oneWorker
-      | otherwise = studioWorkers studio
+      | otherwise = rendererWorkers renderer
 
 -- | The film of a scene with its own sampling, and the numbers of samples of its pixels.
 -- After each band of rows the callback receives the finished fraction and the picture so
 -- far: the finished rows, and below them those of an earlier film of the same size.
 -- Every number equals that of 'exposeFilm'.
-completed :: Studio -> Maybe EnvironmentMap -> Scene -> Film -> (Double -> Film -> IO ()) -> IO (Maybe Exposed)
-completed studio sky scene earlier progress = case (tracerWithSky sky scene, pixelShape width height 3, pixelShape width height 1) of
+completed :: Renderer -> Maybe EnvironmentMap -> Scene -> Film -> (Double -> Film -> IO ()) -> IO (Maybe Exposed)
+completed renderer sky scene earlier progress = case (tracerWithSky sky scene, pixelShape width height 3, pixelShape width height 1) of
   (Just traced, Just shape, Just countShape) -> do
     _ <- mapShared workers pure (tracerTables traced)
     let go _ [] done = pure (assemble shape countShape (reverse done))
@@ -105,7 +105,7 @@ completed studio sky scene earlier progress = case (tracerWithSky sky scene, pix
     go [] bands []
   _ -> pure Nothing
   where
-    workers = studioWorkers studio
+    workers = rendererWorkers renderer
     Picture width height = scenePicture scene
     bandRows = max (4 * workersCount workers) ((height + 15) `quot` 16)
     bands = [(from, min bandRows (height - from)) | from <- [0, bandRows .. height - 1]]
@@ -118,15 +118,15 @@ completed studio sky scene earlier progress = case (tracerWithSky sky scene, pix
     orNothing (Just parts) use = Just <$> use parts
 
 -- | The PNG file of a film: the bytes that @render@ writes.
-finishedPng :: Studio -> Scene -> Exposed -> IO (Maybe Lazy.ByteString)
-finishedPng studio scene = pictureBytes (studioWorkers studio) software Png defaultCoding (scene :| [])
+finishedPng :: Renderer -> Scene -> Exposed -> IO (Maybe Lazy.ByteString)
+finishedPng renderer scene = pictureBytes (rendererWorkers renderer) software Png defaultCoding (scene :| [])
 
 -- | A small JPEG of a scene, 240 pixels wide, with one worker.
-thumbnail :: Studio -> Scene -> IO (Maybe Lazy.ByteString)
-thumbnail studio scene = do
+thumbnail :: Renderer -> Scene -> IO (Maybe Lazy.ByteString)
+thumbnail renderer scene = do
   film <- drafted alone Nothing Nothing small
   traverse (quickly alone 85 small . snd) film
   where
-    alone = studio {studioWorkers = oneWorker}
+    alone = renderer {rendererWorkers = oneWorker}
     Picture width height = scenePicture scene
     small = movingScene (Picture 240 (max 1 ((240 * height) `quot` max 1 width))) scene

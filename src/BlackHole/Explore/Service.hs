@@ -4,7 +4,7 @@ module BlackHole.Explore.Service
   ( Asked (..),
     Answer (..),
     Outgoing (..),
-    Conversation (..),
+    Connection (..),
     Service (..),
     maximumMessageBytes,
   )
@@ -41,7 +41,7 @@ data Outgoing
 
 -- | The two ways of a WebSocket. Both actions may be called from any thread, but only
 -- one thread at a time may call each.
-data Conversation = Conversation
+data Connection = Connection
   { -- | The next message from the page; 'Nothing' when the page is gone.
     hear :: IO (Maybe Bytes.ByteString),
     -- | Send a message. Does nothing when the page is gone.
@@ -51,8 +51,8 @@ data Conversation = Conversation
 -- | What the server serves.
 data Service = Service
   { serviceAnswer :: Asked -> IO Answer,
-    -- | The conversation with a page that opens a WebSocket; 'Nothing' if it must not.
-    serviceTalk :: Asked -> Maybe (Conversation -> IO ())
+    -- | The connection with a page that opens a WebSocket; 'Nothing' if it must not.
+    serviceTalk :: Asked -> Maybe (Connection -> IO ())
   }
 
 -- | The longest message that a page may send, in bytes: an animation of some hundred keys.

@@ -1,18 +1,18 @@
--- | The conversation with one page of @blackhole explore@: what its messages do, and
--- what it is told.
+-- | The connection with one page of @blackhole explore@: what its messages do, and
+-- what it is sent.
 module BlackHole.Explore.Session
-  ( converse,
+  ( serveSession,
   )
 where
 
 import BlackHole.Animation.Animation (sceneAt)
 import BlackHole.Explore.CommandLine
 import BlackHole.Explore.Files
-import BlackHole.Explore.Hall
 import BlackHole.Explore.Message
-import BlackHole.Explore.Painter
 import BlackHole.Explore.Picture
+import BlackHole.Explore.Refinement
 import BlackHole.Explore.Reply
+import BlackHole.Explore.ServerState
 import BlackHole.Explore.Service
 import BlackHole.Explore.SightPath
 import BlackHole.Explore.Steer
@@ -42,8 +42,8 @@ import qualified Data.ByteString.Builder as Builder
 
 -- | An open page.
 data Page = Page
-  { pageHall :: !Hall,
-    pageEasel :: !Easel,
+  { pageState :: !ServerState,
+    pageView :: !View,
     pageAnimation :: !(TVar (Maybe Sequence)),
     -- | The thread that explains a pixel.
     pageInspector :: !(TVar (Maybe (Async ()))),
@@ -51,25 +51,25 @@ data Page = Page
   }
 
 -- | Talk to a page until it is gone.
-converse :: Hall -> Conversation -> IO ()
-converse hall conversation = bracket_ (count 1) (count (-1)) $ do
+serveSession :: ServerState -> Connection -> IO ()
+serveSession state connection = bracket_ (count 1) (count (-1)) $ do
   lock <- newMVar ()
-  wanted <- newTVarIO (uncurry (Wanted 0 0) (hallStart hall) Nothing)
+  wanted <- newTVarIO (uncurry (Wanted 0 0) (stateStart state) Nothing)
   sent <- newTVarIO 0
   drawn <- newTVarIO 0
   animation <- newTVarIO Nothing
   inspector <- newTVarIO Nothing
-  let deliver message = withMVar lock (\() -> send conversation message)
-      refuse input = deliver . TextMessage . hallText hall . Refused (Just input) . pure
-      easel = Easel (hallStudio hall) wanted sent drawn (deliver . BinaryMessage . frameBytes) refuse
-      page = Page hall easel animation inspector deliver
-  let listen = hear conversation >>= mapM_ (\bytes -> either (\(input, fault) -> tell page (Refused input [fault])) (obey page) (parseMessage bytes) >> listen)
-  (listen `race_` paint easel `race_` announce page `race_` reportJob page) `finally` (readTVarIO (pageInspector page) >>= mapM_ cancel)
+  let deliver message = withMVar lock (\() -> send connection message)
+      refuse input = deliver . TextMessage . stateText state . Refused (Just input) . pure
+      view = View (stateRenderer state) wanted sent drawn (deliver . BinaryMessage . frameBytes) refuse
+      page = Page state view animation inspector deliver
+  let listen = hear connection >>= mapM_ (\bytes -> either (\(input, fault) -> tell page (Refused input [fault])) (handleMessage page) (parseMessage bytes) >> listen)
+  (listen `race_` showRefined view `race_` announce page `race_` reportJob page) `finally` (readTVarIO (pageInspector page) >>= mapM_ cancel)
   where
-    count n = atomically (modifyTVar' (hallPages hall) (+ n))
+    count n = atomically (modifyTVar' (statePages state) (+ n))
 
 tell :: Page -> Reply -> IO ()
-tell page = pageSend page . TextMessage . hallText (pageHall page)
+tell page = pageSend page . TextMessage . stateText (pageState page)
 
 -- | Tell the page its scene whenever it has changed, but at most twelve times a second.
 announce :: Page -> IO ()
@@ -77,7 +77,7 @@ announce page = go (-1)
   where
     go told = do
       wanted <- atomically $ do
-        w <- readTVar (easelWanted (pageEasel page))
+        w <- readTVar (viewWanted (pageView page))
         check (wantedTurn w /= told)
         pure w
       tell page (SceneIs (wantedInput wanted) (wantedPreset wanted) (wantedScene wanted))
@@ -89,7 +89,7 @@ announce page = go (-1)
 reportJob :: Page -> IO ()
 reportJob page = go NoJob
   where
-    job = hallJob (pageHall page)
+    job = stateJob (pageState page)
     go told = do
       now <- atomically $ do
         j <- readTVar job
@@ -100,16 +100,16 @@ reportJob page = go NoJob
       go now
 
 -- | Do what a message says.
-obey :: Page -> Message -> IO ()
-obey page message = case message of
+handleMessage :: Page -> Message -> IO ()
+handleMessage page message = case message of
   Window width height -> atomically $ do
-    w <- readTVar (easelWanted (pageEasel page))
+    w <- readTVar (viewWanted (pageView page))
     unless (wantedWindow w == Just (width, height)) $
-      writeTVar (easelWanted (pageEasel page)) w {wantedTurn = wantedTurn w + 1, wantedWindow = Just (width, height)}
-  Drawn latest -> atomically (readTVar (easelSent (pageEasel page)) >>= \sent -> modifyTVar' (easelDrawn (pageEasel page)) (max (min sent latest)))
+      writeTVar (viewWanted (pageView page)) w {wantedTurn = wantedTurn w + 1, wantedWindow = Just (width, height)}
+  Drawn latest -> atomically (readTVar (viewSent (pageView page)) >>= \sent -> modifyTVar' (viewDrawn (pageView page)) (max (min sent latest)))
   Change input settings -> do
     forbidden <- filterM (fmap not . allowed) [file | Setting _ (FileValue file) <- settings]
-    scene <- wantedScene <$> readTVarIO (easelWanted (pageEasel page))
+    scene <- wantedScene <$> readTVarIO (viewWanted (pageView page))
     let changed = applySettings settings scene
         lost = [s | s <- settings, not (holds changed s)]
         reasons = [renderIdle InFile idle | idle <- idleSettings scene settings]
@@ -132,19 +132,19 @@ obey page message = case message of
     Just scene -> showFrom preset input scene
     Nothing -> refuse input ["there is no preset of that name"]
   Steer input how -> do
-    scene <- wantedScene <$> readTVarIO (easelWanted (pageEasel page))
+    scene <- wantedScene <$> readTVarIO (viewWanted (pageView page))
     show' input (steer how scene)
   Inspect across down -> do
-    scene <- wantedScene <$> readTVarIO (easelWanted (pageEasel page))
+    scene <- wantedScene <$> readTVarIO (viewWanted (pageView page))
     before <- atomically (swapTVar (pageInspector page) Nothing)
     mapM_ cancel before
     running <- async (guarded (inspect scene across down))
     atomically (writeTVar (pageInspector page) (Just running))
   AskCommand -> do
-    w <- readTVarIO (easelWanted (pageEasel page))
+    w <- readTVarIO (viewWanted (pageView page))
     tell page (CommandIs (commandLine (wantedPreset w) (wantedScene w)))
   SaveScene how name -> do
-    scene <- wantedScene <$> readTVarIO (easelWanted (pageEasel page))
+    scene <- wantedScene <$> readTVarIO (viewWanted (pageView page))
     save [".yaml", ".yml"] how name (printScene ["A complete scene, with every setting."] scene)
   DefineAnimation timeline -> do
     let made = sequenceOf timeline
@@ -161,26 +161,26 @@ obey page message = case message of
       Nothing -> refuse input ["there is no animation"]
       Just made -> either (refuse input . map renderProblem) (show' input) (sceneAt (sequenceAnimation made) seconds)
   RenderFile how name -> do
-    scene <- wantedScene <$> readTVarIO (easelWanted (pageEasel page))
+    scene <- wantedScene <$> readTVarIO (viewWanted (pageView page))
     ready <- writableFile (map fst formatExtensions) how name
     case (ready, formatOf name) of
       (Left fault, _) -> refusal [fault]
       (Right False, _) -> tell page (Exists name)
       (Right True, Nothing) -> refusal ["'" ++ name ++ "' is not the name of a picture"]
       (Right True, Just format) -> do
-        started <- startJob (pageHall page) scene format name
+        started <- startJob (pageState page) scene format name
         unless started $ refusal ["another picture is being rendered; cancel it first"]
-  CancelRender -> readTVarIO (hallWorker (pageHall page)) >>= mapM_ cancel
+  CancelRender -> readTVarIO (stateWorker (pageState page)) >>= mapM_ cancel
   where
     refuse input = tell page . Refused (Just input)
     refusal = tell page . Refused Nothing
     holds scene s = (findField (settingPath s) >>= (`fieldGet` scene)) == Just (settingValue s)
     -- The files of the scene that the program was started with are the user's choice.
     allowed file
-      | neededPicture (snd (hallStart (pageHall page))) == Just file = pure True
+      | neededPicture (snd (stateStart (pageState page))) == Just file = pure True
       | otherwise = readableFile file
-    show' input scene = atomically (modifyTVar' (easelWanted (pageEasel page)) (\w -> w {wantedTurn = wantedTurn w + 1, wantedInput = input, wantedScene = scene}))
-    showFrom preset input scene = atomically (modifyTVar' (easelWanted (pageEasel page)) (\w -> w {wantedTurn = wantedTurn w + 1, wantedInput = input, wantedPreset = preset, wantedScene = scene}))
+    show' input scene = atomically (modifyTVar' (viewWanted (pageView page)) (\w -> w {wantedTurn = wantedTurn w + 1, wantedInput = input, wantedScene = scene}))
+    showFrom preset input scene = atomically (modifyTVar' (viewWanted (pageView page)) (\w -> w {wantedTurn = wantedTurn w + 1, wantedInput = input, wantedPreset = preset, wantedScene = scene}))
     save extensions how name text = do
       ready <- writableFile extensions how name
       case ready of
@@ -197,7 +197,7 @@ obey page message = case message of
           | otherwise -> refusal [unwords (lines (displayException failure))]
         Right () -> pure ()
     inspect scene across down = do
-      sky <- studioSky (hallStudio (pageHall page)) scene
+      sky <- rendererSky (stateRenderer (pageState page)) scene
       let Picture width height = scenePicture scene
           x = min (width - 1) (floor (across * fromIntegral width))
           y = min (height - 1) (floor (down * fromIntegral height))

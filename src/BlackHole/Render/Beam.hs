@@ -55,7 +55,7 @@ convolved workers kernel (Axis across) (Axis down) energy = do
     width = shapeWidth shape
     reach = Vector.length kernel `quot` 2
     pixels act = mapM_ (\i -> act i (i `quot` 3) (i `rem` 3)) [0 .. 3 * width - 1]
-    -- The mean around a place of a side whose places have these weights.
+    -- The weighted mean around a point of a row or column.
     total weights at value = go (max 0 (at - reach)) 0 0
       where
         !end = min (Vector.length weights - 1) (at + reach)

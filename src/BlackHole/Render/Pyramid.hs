@@ -87,7 +87,7 @@ withSpread workers shape !kept !gain spread rowsOf (first, rows) = rowsOf (first
 ignore :: Int -> IO ()
 ignore = const (pure ())
 
--- | For each place along a side, how many of the finest pixels it stands for.
+-- | For each pixel along a side, the number of finest pixels that it represents.
 newtype Axis = Axis (Vector Float)
 
 -- | Of the film itself, for a side of this length.

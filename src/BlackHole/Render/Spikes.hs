@@ -16,7 +16,7 @@ import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as Vector
 
 -- | @spikeBands workers blades strength shape rowsOf@: the film with this part of its
--- light, 0 to 1, in the spikes of an aperture with so many blades; with 0 blades the film
+-- light, 0 to 1, in the spikes of an aperture with this many blades; with 0 blades the film
 -- itself. The spikes cover the same part of the picture at any resolution, for they are
 -- drawn on the first copy of the film at most 1024 pixels wide and high. Light that leaves
 -- the picture along them is lost. Rows are asked for as in

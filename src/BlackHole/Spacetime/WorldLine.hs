@@ -1,4 +1,4 @@
--- | Clocks of observers on geodesics: where they are when their own clock shows a given
+-- | World lines of observers on geodesics: their position when their own clock shows a given
 -- time, in any of the spacetimes. In flat space the observers move as around a hole
 -- without spin.
 module BlackHole.Spacetime.WorldLine

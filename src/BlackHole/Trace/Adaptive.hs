@@ -61,7 +61,7 @@ refinedEstimate traced uncertain first !column !row
 pixelRing :: Tracer -> Int -> Int -> Maybe PhotonRing
 pixelRing traced column row = photonRing traced (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5))
 
--- | The samples of a pixel's 'pixelEstimate', of which there are so many.
+-- | The first samples of a pixel's 'pixelEstimate', up to this number.
 pixelSamples :: Tracer -> Int -> Int -> Int -> [Sample]
 pixelSamples traced count column row = map point [0 .. count - 1]
   where

@@ -78,7 +78,7 @@ environmentMapFromPixels width height pixel
       spread 1 width n (`pixel` i) fields 0
       pure fields
 
--- | A picture of so many rings (at least 1) by the radiance of each direction,
+-- | A map with this many rings (at least 1), from the radiance of each direction,
 -- asked for in the middle of every field, by all processors that are idle.
 environmentMapFromDirections :: Int -> (XYZ -> Radiance) -> EnvironmentMap
 environmentMapFromDirections wanted radiance =
@@ -105,7 +105,7 @@ environmentMapFromDirections wanted radiance =
         ((fromIntegral j + 0.5) / fromIntegral n)
         ((fromIntegral i + 0.5) / fromIntegral rings)
 
--- | A picture of so many rings (at least 1) of point sources, numbered from 0:
+-- | A map with this many rings (at least 1) of point sources, numbered from 0:
 -- each one's direction (unit length) and flux (radiance times steradians). Its
 -- light fills the field in which it stands.
 environmentMapFromSources :: Int -> Int -> (Int -> XYZ) -> (Int -> Radiance) -> EnvironmentMap
@@ -230,14 +230,14 @@ placeOf (XYZ x y z) =
     (atan2 (sqrt (x * x + z * z)) y / pi)
 {-# INLINE placeOf #-}
 
--- | The direction of a place in the picture.
+-- | The direction of a point of the map.
 directionAt :: Double -> Double -> XYZ
 directionAt u v = XYZ (sin longitude * s) (cos (pi * v)) (negate (cos longitude * s))
   where
     longitude = 2 * pi * (u - 0.5)
     s = sin (pi * v)
 
--- | Light of one level at a place, linear between the middles of the fields.
+-- | The light of one level at a point, linear between the middles of the fields.
 -- The ring beyond a pole is the first ring on the far side.
 levelRadiance :: EnvironmentMap -> Int -> Place -> Radiance
 levelRadiance image level (Place u v) = mix t (ringAt above) (ringAt (above + 1))
@@ -270,7 +270,7 @@ mix t (Radiance r g b) (Radiance r' g' b') =
   Radiance (r + t * (r' - r)) (g + t * (g' - g)) (b + t * (b' - b))
 {-# INLINE mix #-}
 
--- | Light of a place, blurred to fields of a given size in radians, from the
+-- | The light at a point, blurred to fields of a given size in radians, from the
 -- two levels nearest to it.
 blurredRadiance :: EnvironmentMap -> Double -> XYZ -> Radiance
 blurredRadiance image size direction
@@ -289,8 +289,7 @@ blurredRadiance image size direction
 --
 -- The coarseness follows the ellipse's shorter axis, and up to 'maximumTaps'
 -- places along its longer axis are looked at; a yet longer ellipse is seen
--- coarser. About 0.1 µs a place. The mean of the sky for a beam that is no
--- beam.
+-- coarser. About 0.1 µs per point. Returns the mean of the sky for a degenerate beam.
 environmentMapRadiance :: EnvironmentMap -> RayDifferential -> Radiance
 environmentMapRadiance image differential
   -- Most beams are narrower than the finest field either way.
@@ -333,7 +332,7 @@ fieldSize image = pi / fromIntegral (U.unsafeIndex (imageRings image) 0)
 maximumTaps :: Int
 maximumTaps = 16
 
--- | The most slender ellipse that so many places cover without gaps.
+-- | The most slender ellipse that the permitted number of points covers without gaps.
 longestRatio :: Double
 longestRatio = 8
 

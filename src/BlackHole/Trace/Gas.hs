@@ -49,16 +49,15 @@ nothingYet = Gathered black 1
 opaqueEnough :: Double
 opaqueEnough = 0.01
 
--- | Whether to go on behind what has been gathered.
+-- | Continues until the gas in front hides what lies behind it.
 onward :: Gathered -> Continue Gathered
 onward gathered
   | gatheredTransmittance gathered < opaqueEnough = Stop gathered
   | otherwise = Continue gathered
 {-# INLINE onward #-}
 
--- | Pass through gas of optical depth @tau@ that would have the radiance
--- @source@ if nothing could be seen through it. The closed form is exact for
--- uniform gas, so that thick segments are as right as thin ones.
+-- | The light after a uniform segment of optical depth @tau@ whose radiance would be
+-- @source@ if it were opaque. The closed form is exact for any optical depth.
 pass :: Double -> Radiance -> Gathered -> Gathered
 pass !tau !source (Gathered light transmittance) =
   Gathered (light <+> scaleRadiance (transmittance - transmittance') source) transmittance'
@@ -66,7 +65,7 @@ pass !tau !source (Gathered light transmittance) =
     transmittance' = transmittance * exponential (negate tau)
 {-# INLINE pass #-}
 
--- | A disk's gas made ready.
+-- | The gas of a disk, prepared for tracing.
 data Gas = Gas
   { gasDensity :: !GasField,
     gasOuter :: {-# UNPACK #-} !Double,
@@ -80,17 +79,19 @@ data Gas = Gas
     gasAround :: !GasFlow
   }
 
--- | How gas shines.
+-- | The emission of the gas.
 data Glow
-  = -- | The report's colours, by the radius.
+  = -- | The colours of the design report, which depend on the radius. Holds the
+    -- brightness.
     ByRadius {-# UNPACK #-} !Double
-  | -- | As a black body: its temperature over the peak's by the radius; and the
-    -- radiance by the temperature seen over the peak's, tabulated, and for those
-    -- beyond the table.
+  | -- | Thermal emission. Temperatures are relative to that of the hottest ring: a table
+    -- of the temperature by radius, a table of the radiance by observed temperature, and
+    -- the function for temperatures beyond that table.
     ByTemperature !Tabulated !Tabulated !(Double -> Radiance)
 
--- | The gas of a disk under a seed, with the shifts that count, for an eye at a
--- place with pixels of an angle and so many samples.
+-- | @gas space seed shifts disk eye pixel samples@ is the gas of a disk with its seed and
+-- the frequency shifts that apply, for a camera at @eye@ whose pixels subtend @pixel@
+-- radians and get @samples@ samples each.
 gas :: Spacetime -> Word64 -> Shifts -> Disk -> XYZ -> Double -> Int -> Gas
 gas space seed shifts disk eye pixel samples =
   Gas
@@ -117,12 +118,12 @@ gas space seed shifts disk eye pixel samples =
       where
         glow t = scaleRadiance (diskBrightness disk) (light t)
 
--- | The same gas for another eye, size of a pixel and number of samples, without
+-- | The gas for another camera position, pixel size and number of samples, without
 -- computing its tables again.
 gasSeenFrom :: XYZ -> Double -> Int -> Gas -> Gas
 gasSeenFrom eye pixel samples g = g {gasDensity = seenFrom eye pixel samples (gasDensity g)}
 
--- | Relative temperatures that are tabulated. Only somebody who falls or orbits
+-- | The highest relative temperature in the table. Only an observer who falls or orbits
 -- close to the hole sees higher ones.
 hottest :: Double
 hottest = 4
@@ -133,8 +134,8 @@ gatherGas :: Gas -> Double -> Gathered -> PathSegment -> Continue Gathered
 gatherGas g observed gathered segment = onward (throughGas g observed gathered segment)
 {-# INLINE gatherGas #-}
 
--- A call of its own: inlined into the loop that follows a path, it would leave
--- no register for either. The gas goes in as a pointer, for which 'lazy' stands.
+-- Not inlined, because the loop that follows a path would run out of registers. 'lazy'
+-- makes GHC pass the gas as a pointer instead of unpacking it.
 throughGas :: Gas -> Double -> Gathered -> PathSegment -> Gathered
 throughGas prepared !observed !gathered !segment = case gasAt (gasDensity g) place r extent slant of
   Here dense heat
@@ -144,8 +145,8 @@ throughGas prepared !observed !gathered !segment = case gasAt (gasDensity g) pla
     g = lazy prepared
     !place@(XYZ _ py _) = segmentMiddle segment
     !r = segmentRadius segment
-    -- Gas is drawn out along its orbits: what counts is how far the segment goes
-    -- across them, and a tenth of its length.
+    -- Structure is drawn out along the orbits, so the relevant length is that across
+    -- the orbits, plus a tenth of the whole.
     !inward = abs (segmentRadialStep segment)
     !upward = abs (segmentVerticalStep segment)
     !extent = max inward upward + 0.1 * segmentLength segment
@@ -180,8 +181,8 @@ throughGas prepared !observed !gathered !segment = case gasAt (gasDensity g) pla
        in pass tau source gathered
 {-# NOINLINE throughGas #-}
 
--- | The report's gas colour between the hole's edge (0) and the disk's (1):
--- hue 50° to 20°, saturation 0.8, full value, read as a display colour.
+-- | The gas colour of the design report between the horizon (0) and the disk's outer edge
+-- (1): hue 50° to 20°, saturation 0.8, full value, as a display colour.
 hueRamp :: Double -> Radiance
 hueRamp t = Radiance 1 (decodeSrgb green) (decodeSrgb 0.2)
   where

@@ -1,13 +1,13 @@
 {-# LANGUAGE BangPatterns #-}
--- Places and patterns are a dozen numbers, which go from caller to callee as they are,
--- not through the heap.
+-- Pass positions and patterns, a dozen numbers, in registers and on the stack instead of on
+-- the heap.
 {-# OPTIONS_GHC -fmax-worker-args=24 #-}
 
--- | Where the gas of a disk is: its density at a place and a time.
+-- | The density and the relative temperature of a disk's gas at a position and a time.
 --
--- The density falls off like a Gaussian with the height, and softly at both
--- edges. Spiral arms are a wave in the disk's thickness, displaced by noise; they
--- turn as one, like the density waves of a galaxy. Turbulence is noise in the
+-- The density falls off like a Gaussian with height, and smoothly at both edges.
+-- Spiral arms are a wave in the disk's thickness, displaced by noise; they rotate
+-- rigidly, like the density waves of a galaxy. Turbulence is noise in the
 -- logarithm of the density, in cells drawn out along the orbit, with filaments and
 -- with coarse eddies that bend the finer ones. A haze of a few thousandths of the
 -- density reaches higher than the disk.
@@ -16,11 +16,11 @@
 -- It is normalised so that the mean of T⁴, the flux of a ring, stays that of the
 -- thin disk without turbulence, whatever octaves are resolved.
 --
--- /Time./ Gas nearer to the hole is faster, and a pattern that went with it would
--- be wound up into threads in the end. So each pattern of turbulence lives for one
--- orbit of the disk's inner edge only: it fades in while it unwinds, is itself in
--- the middle of its life and fades out while it is wound up, and two of them take
--- turns.
+-- /Time./ Gas orbits faster the nearer it is to the hole, so a pattern carried along
+-- would wind up into ever thinner threads. Each pattern of turbulence therefore lasts
+-- for one orbit of the disk's inner edge only: it fades in while it unwinds, is
+-- undistorted in the middle of its life, and fades out while it winds up. Two patterns
+-- alternate.
 module BlackHole.Trace.GasField
   ( GasField,
     gasField,
@@ -51,7 +51,7 @@ import qualified Data.Vector.Unboxed as U
 import Data.Word (Word64)
 import Numeric (log1p)
 
--- | A disk's density made ready.
+-- | The gas of a disk, prepared for evaluation.
 data GasField = GasField
   { fieldOuter :: {-# UNPACK #-} !Double,
     -- | The thickness on the axis, and its growth per radius.
@@ -99,15 +99,15 @@ data GasField = GasField
 
 -- | One pattern of turbulence.
 data Pattern
-  = -- | Its part in the sum; the time since it was itself, negative before; and
-    -- where in the noise it is cut out, a height in cells.
+  = -- | Its weight in the sum; the time since it was undistorted, negative before; and
+    -- its position in the noise, a height in cells.
     Pattern
       {-# UNPACK #-} !Double
       {-# UNPACK #-} !Double
       {-# UNPACK #-} !Double
 
--- | The density of a disk under a seed, for an eye at a place with pixels of an
--- angle and so many samples.
+-- | @gasField space seed disk eye pixel samples@ is the gas of a disk, for a camera at
+-- @eye@ whose pixels subtend @pixel@ radians and get @samples@ samples each.
 gasField :: Spacetime -> Word64 -> Disk -> XYZ -> Double -> Int -> GasField
 gasField space seed disk eye pixel samples =
   GasField
@@ -168,12 +168,12 @@ gasField space seed disk eye pixel samples =
     (first, second) = patterns (diskTime disk * rate inner / (2 * pi)) (2 * pi / rate inner)
     rate = patternRate space
 
--- | The same gas for another eye, size of a pixel and number of samples: the arguments
--- of 'gasField' after the disk. The tables stay as they are, so this costs nothing.
+-- | The gas for another camera position, pixel size and number of samples, which are the
+-- last arguments of 'gasField'. The tables are kept, so this costs nothing.
 seenFrom :: XYZ -> Double -> Int -> GasField -> GasField
 seenFrom eye pixel samples field = field {fieldEye = eye, fieldPixel = pixel, fieldShare = shareOf samples}
 
--- | The part of a stretch that one of so many samples of a pixel has to resolve.
+-- | The fraction of a segment that one of this many samples of a pixel has to resolve.
 shareOf :: Int -> Double
 shareOf samples = 1 / sqrt (fromIntegral samples)
 
@@ -187,9 +187,9 @@ patterns lives life = (pattern' lives (1 - 2 * abs early) early, pattern' (lives
     pattern' at weight age = Pattern (weight / norm) (age * life) (17.3 * fromIntegral (round at :: Int))
     norm = sqrt ((1 - 2 * abs early) ^ (2 :: Int) + (2 * abs early) ^ (2 :: Int))
 
--- | How many octaves of turbulence a length over r resolves: those whose cells
--- are longer, and a part of the next. The finer ones are felt by their mean
--- alone.
+-- | The number of octaves of turbulence that a length (over r) resolves, those whose
+-- cells are longer and a fraction of the next; and the corrections to ln density and ln
+-- temperature for the mean effect of the finer octaves.
 detail :: Disk -> [(Double, Double)] -> Double -> [Double]
 detail disk moments len = [count, density full - density count, heat count]
   where
@@ -203,10 +203,10 @@ detail disk moments len = [count, density full - density count, heat count]
       [end] -> part end
       [] -> 0
 
--- | By the number of octaves in steps of a quarter, from none to all: ln of the
--- mean density that turbulence of so many makes, and ln of the mean of T⁴ over 4.
--- Both are means over the noise itself, in as many places as it has cells in its
--- second octave.
+-- | For each number of octaves, in steps of a quarter from none to all: ln of the mean
+-- density in turbulence of that many octaves, and a quarter of ln of the mean of T⁴.
+-- The means are taken over the noise itself, at as many positions as its second octave
+-- has cells.
 turbulenceMoments :: Disk -> Sheets -> Weave -> Pattern -> Pattern -> [(Double, Double)]
 turbulenceMoments disk noise woven first second =
   [moments (0.25 * fromIntegral k) | k <- [0 .. 4 * length (sheetsAmplitudes noise)]]
@@ -223,8 +223,8 @@ turbulenceMoments disk noise woven first second =
        in weave noise woven count v (strandOf first turns) (strandOf second turns)
     strandOf (Pattern weight _ shift) turns = Strand weight turns shift
 
--- | Off the lattice, on which all octaves vanish together: the disk's plane
--- must not lie in one of its planes.
+-- | A position in the noise of the arms. It is shifted off the lattice, where all octaves
+-- vanish: the disk's plane must not be a lattice plane.
 armPlace :: Double -> XYZ -> XYZ
 armPlace scale place = scale *^ place ^+^ XYZ 5.3 5.3 5.3
 {-# INLINE armPlace #-}
@@ -233,7 +233,7 @@ armPlace scale place = scale *^ place ^+^ XYZ 5.3 5.3 5.3
 faintest :: Double
 faintest = -7.5
 
--- | Gas at a place.
+-- | The gas at a position.
 data Here = Here
   { -- | Its density over that of dense gas.
     hereDensity :: {-# UNPACK #-} !Double,
@@ -242,10 +242,10 @@ data Here = Here
   }
   deriving (Eq, Show)
 
--- | @gasAt field place r len slant@: the gas at a place at the distance r from the
--- hole, as far as a segment of a path can tell that reaches so far across the
--- orbits, in a pixel whose footprint on the gas is so many times as long as wide.
--- No density where there is less than 'faintest'.
+-- | @gasAt field place r len slant@ is the gas at a position at the distance @r@ from the
+-- hole, smoothed to what a path segment of length @len@ across the orbits can resolve,
+-- in a pixel whose footprint on the gas is @slant@ times as long as wide. The density is
+-- 0 below 'thinnestGas'.
 gasAt :: GasField -> XYZ -> Double -> Double -> Double -> Here
 gasAt field place@(XYZ x y z) !r !len !slant
   | r >= fieldOuter field = Here 0 0
@@ -284,14 +284,13 @@ haze field !profile !plain
     e = profile - plain * plain * fieldHazeNarrowness field
 {-# INLINE haze #-}
 
--- | @logDensity field place r len@: the natural logarithm of the density over
--- that of dense gas; far below 'faintest' where there is none.
+-- | @logDensity field place r len@ is the natural logarithm of the density over that of
+-- dense gas; far below 'faintest' without gas.
 logDensity :: GasField -> XYZ -> Double -> Double -> Double
 logDensity field place r len = case gasAt field place r len 1 of
   Here dense _ -> if dense > 0 then log dense else 2 * faintest
 
--- | The noise that displaces the arms, −1 … 1. It turns
--- with the arms.
+-- | The noise that displaces the arms, from −1 to 1. It rotates with them.
 displacement :: GasField -> XYZ -> Double
 displacement field (XYZ x y z) =
   cachedPerlin3 (fieldDisplacement field) 64 (armPlace (fieldArmScale field) (XYZ (c * x - s * z) y (s * x + c * z)))
@@ -300,7 +299,7 @@ displacement field (XYZ x y z) =
     s = fieldArmSine field
 {-# INLINE displacement #-}
 
--- | The arms' wave at a place, −1 … 1. The azimuth is in turns.
+-- | The wave of the arms, from −1 to 1. The azimuth is in turns.
 armWave :: GasField -> Double -> Double -> Double -> Double
 armWave field r azimuth displaced
   | fieldArmDepth field == 0 = 0
@@ -318,14 +317,15 @@ armThickness field wave
     depth = fieldArmDepth field
 {-# INLINE armThickness #-}
 
--- | ln of that thickness over its middle, to first order: what the arms do to the
+-- | ln of that thickness over its mean, to first order: the effect of the arms on the
 -- surface density.
 armFluctuation :: Double -> Double -> Double
 armFluctuation depth wave = depth / (1 - depth) * wave * wave * wave
 {-# INLINE armFluctuation #-}
 
--- | What turbulence adds to the logarithm of the density, with so many octaves. Gas
--- is drawn out along its orbit, trailing outwards, and looks alike at every radius.
+-- | The contribution of turbulence, up to a number of octaves, to the logarithm of the
+-- density. Its cells are drawn out along the orbits, trail outwards, and are similar at
+-- every radius.
 turbulence :: GasField -> XYZ -> Double -> Double -> Double -> Double -> Double -> Double
 turbulence field (XYZ _ y _) r count azimuth logR !rate
   | fieldTurbulence field == 0 = 0
@@ -337,7 +337,7 @@ turbulence field (XYZ _ y _) r count azimuth logR !rate
     strand (Pattern weight age shift) = Strand weight (turnFraction (turns - rate * age)) (height + shift)
 {-# INLINE turbulence #-}
 
--- | The most lattice points to remember for one noise: 2 MB.
+-- | The greatest number of lattice points cached for one noise: 2 MB.
 tablePoints :: Int
 tablePoints = 2000000
 

@@ -105,7 +105,7 @@ decodeStars bytes = catalogueOf (Bytes.length bytes `quot` 8) $ \i ->
 data Unit = Unit !Double !Double
 
 -- | Cosine and sine of 24-bit angles as sums of two of 12 bits, in the given unit:
--- four multiplications in the place of a cosine and a sine.
+-- four multiplications instead of a cosine and a sine.
 angles :: Double -> (U.Vector (Double, Double), U.Vector (Double, Double))
 angles unit = (table (4096 * unit), table unit)
   where

@@ -43,7 +43,7 @@ starNumbers = 5
 -- kelvin.
 data Star = Star !XYZ !Double !Double
 
--- | The catalogue of so many stars, given each by its number from 0; the magnitudes
+-- | The catalogue with this many stars, each computed from its number, counted from 0; the magnitudes
 -- must not fall. All idle processors share the work.
 catalogueOf :: Int -> (Int -> Star) -> StarCatalogue
 catalogueOf count starAt = StarCatalogue (U.concat (inParallel (map piece [0, pieceSize .. count - 1])))

@@ -110,7 +110,7 @@ tier unitFlux stars side limit rings from to =
 starNumbers :: Int
 starNumbers = 5
 
--- | The cell of a cube of so many cells along an edge in which a direction lies.
+-- | The cell in which a direction lies, of a cube with this many cells along an edge.
 cellOf :: Int -> XYZ -> Int
 cellOf side (XYZ x y z)
   | ax >= ay && ax >= az = inFace (if x >= 0 then 0 else 1) (y / ax) (z / ax)
@@ -226,7 +226,7 @@ data Look
 data Window = Window !Int !Double !Double !Double !Double
   deriving (Eq, Show)
 
--- | The windows in which stars are looked for through a beam: one, or one on each
+-- | The windows to search for stars in a beam: one, or one on each
 -- face that the beam reaches.
 starWindows :: RayDifferential -> [Window]
 starWindows differential = window : others

@@ -26,7 +26,7 @@ spec = do
     removeFile (file folder 3)
     (again, madeAgain) <- working store good "v1" [0 .. 4]
     (map kind again, madeAgain) `shouldBe` ("dddrd", [3])
-  it "makes stale frames anew, and those that somebody has changed or cut" . inFolder $ \folder -> do
+  it "renders stale, changed and truncated frames again" . inFolder $ \folder -> do
     store <- storeOf folder "one"
     _ <- working store good "v1" [0 .. 5]
     writeFile (file folder 1) (map succ (picture "v1" 1))
@@ -82,7 +82,7 @@ spec = do
     lists <- readFrameLists folder
     [(framePattern name, length frames) | (name, frames) <- lists] `shouldBe` [(folder </> "%d.png", 3)]
     map snd lists `shouldBe` [[(n, scene "v1" n) | n <- [0 .. 2]]]
-  it "clears away the lease of somebody who was killed when his frame was finished" . inFolder $ \folder -> do
+  it "removes the lease of a process that was killed after it finished its frame" . inFolder $ \folder -> do
     store <- storeOf folder "one"
     _ <- working store good "v1" [0, 1]
     _ <- takeLease (frameStoreLeases store) (frameLabel store 0)
@@ -90,7 +90,7 @@ spec = do
     (outcomes, _) <- working store good "v1" [0, 1]
     map kind outcomes `shouldBe` "dd"
     fmap sort (listDirectory (folder </> ".blackhole")) `shouldReturn` ["0.png.done", "1.png.done", "lock"]
-  it "clears away what somebody has left who was killed while he wrote the list" . inFolder $ \folder -> do
+  it "removes what a process left that was killed while it wrote the list" . inFolder $ \folder -> do
     store <- storeOf folder "one"
     _ <- takeLease (frameStoreLeases store) "%d.png.film"
     writeFile (folder </> ".blackhole" </> "%d.png.film.one.4711.part") "half"

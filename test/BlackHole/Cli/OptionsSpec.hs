@@ -54,7 +54,7 @@ spec = do
     misused ["render", "--widht", "3"] ["--widht"]
     misused ["rendr"] ["rendr"]
     misused ["render", "one.yaml", "stray"] ["stray"]
-  it "an unknown preset is told with the nearest name" $
+  it "an unknown preset is reported with the nearest name" $
     scene ["--preset", "reprot"]
       `shouldBe` Left ["--preset: reprot is not a preset (did you mean report?); the presets are: default, report, interstellar, edge-on, face-on, luminet, lens-only, photon-ring, falling, m87, kerr"]
   it "two ways to place the camera clash" $

@@ -1,7 +1,7 @@
 module BlackHole.Explore.PaceSpec (spec) where
 
 import BlackHole.Explore.Pace
-import BlackHole.Explore.Painter (fitting)
+import BlackHole.Explore.Refinement (fitting)
 import BlackHole.Scene.Camera (Picture (..))
 import Test.Hspec
 import Test.QuickCheck

@@ -6,8 +6,8 @@ module BlackHole.Explore.SessionSpec (spec) where
 
 import BlackHole.Cli.ExploreJson
 import BlackHole.Cli.Json
-import BlackHole.Explore.Hall
 import BlackHole.Explore.Picture
+import BlackHole.Explore.ServerState
 import BlackHole.Explore.Service
 import BlackHole.Explore.Session
 import BlackHole.Image.Coding (Format (..), defaultCoding)
@@ -107,13 +107,13 @@ spec = do
       Just written `shouldBe` expected
   it "keeps the scenes of two pages apart" $
     withPage $ \one -> do
-      other <- another (pageHall one)
-      withAsync (converse (pageHall one) (pageTalk other)) $ \_ -> do
+      other <- another (pageState one)
+      withAsync (serveSession (pageState one) (pageTalk other)) $ \_ -> do
         say one "preset 1 luminet"
         say other "preset 1 kerr"
         reply one "\"preset\": \"luminet\""
         reply other "\"preset\": \"kerr\""
-        atomically (busy (pageHall one)) `shouldReturn` True
+        atomically (busy (pageState one)) `shouldReturn` True
 
 -- | A frame as it arrives.
 data Frame' = Frame'
@@ -124,30 +124,30 @@ data Frame' = Frame'
   }
 
 data Page = Page
-  { pageHall :: !Hall,
+  { pageState :: !ServerState,
     pageIn :: !(TQueue Bytes.ByteString),
     pageFrames :: !(TQueue Frame'),
     pageTexts :: !(TQueue String),
-    pageTalk :: !Conversation
+    pageTalk :: !Connection
   }
 
--- | A page of a new hall, in a folder of its own.
+-- | A page of a new state, in a folder of its own.
 withPage :: (Page -> IO ()) -> IO ()
 withPage action = withSystemTempDirectory "blackhole" $ \folder -> withCurrentDirectory folder $ do
-  hall <- newHall (Studio oneWorker (const (pure (Right Nothing))) (\_ _ -> pure Nothing)) ("default", defaultScene) (Builder.toLazyByteString . Builder.stringUtf8 . renderJson . replyJson)
-  page <- another hall
-  outcome <- timeout 120000000 (withAsync (converse hall (pageTalk page)) (\running -> link running >> action page))
+  state <- newServerState (Renderer oneWorker (const (pure (Right Nothing))) (\_ _ -> pure Nothing)) ("default", defaultScene) (Builder.toLazyByteString . Builder.stringUtf8 . renderJson . replyJson)
+  page <- another state
+  outcome <- timeout 120000000 (withAsync (serveSession state (pageTalk page)) (\running -> link running >> action page))
   outcome `shouldBe` Just ()
 
-another :: Hall -> IO Page
-another hall = do
+another :: ServerState -> IO Page
+another state = do
   incoming <- newTQueueIO
   frames <- newTQueueIO
   texts <- newTQueueIO
   let receive message = atomically $ case message of
         TextMessage text -> writeTQueue texts (Char8.unpack (Lazy.toStrict text))
         BinaryMessage bytes -> writeTQueue frames (frameOf (Lazy.toStrict bytes))
-  pure (Page hall incoming frames texts (Conversation (Just <$> atomically (readTQueue incoming)) receive))
+  pure (Page state incoming frames texts (Connection (Just <$> atomically (readTQueue incoming)) receive))
 
 frameOf :: Bytes.ByteString -> Frame'
 frameOf bytes = Frame' (number 0 1) (number 6 4) (number 10 4) (Bytes.drop 16 bytes)

@@ -135,7 +135,7 @@ spec = do
 
 -- | g of light that leaves the gas at r in all directions within the plane.
 -- The direction enters through λ = r sin α/√(1−1/r), α being the angle from
--- the radius for who is at rest there, so that the extremes belong to light
+-- the radius for an observer at rest there, so that the extremes belong to light
 -- that leaves along the ring, |λ| = b = r/√(1−1/r); for r > 3/2 the ring is then
 -- the closest approach, and the light escapes.
 equatorialShifts :: Double -> [Double]

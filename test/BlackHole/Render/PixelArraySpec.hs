@@ -49,7 +49,7 @@ spec = do
           pixels <- generateRows workers silent shape unevenRow
           bits pixels `shouldBe` uneven shape
 
-    it "hands rows to whoever is free" . inTime $ do
+    it "hands rows to any idle worker" . inTime $ do
       others <- newIORef (0 :: Int)
       allOthers <- newEmptyMVar
       void $

@@ -61,7 +61,7 @@ spec = do
     light <- lightOf sphere {sceneSky = SkyUniform 1, sceneSamples = 16, sceneCamera = Camera (Around 30 (Degrees 80) (Degrees 90)) (Degrees 0) (Degrees 360)}
     let solidAngle r = 2 * pi / 128 * (cos (pi * fromIntegral r / 64) - cos (pi * fromIntegral (r + 1) / 64)) :: Double
         whole = sum [light c r * solidAngle r | r <- [0 .. 63], c <- [0 .. 127]]
-        -- The sky is brighter by (1 − 1/r)⁻² for somebody at rest, and the shadow dark.
+        -- The sky is brighter by (1 − 1/r)⁻² for an observer at rest, and the shadow dark.
         shadow = 2 * pi * (1 - sqrt (1 - (sqrt (6.75 * (1 - 1 / 30)) / 30) ** 2))
     (whole * (1 - 1 / 30) ** 2) `shouldBeWithin` (4e-3, 4 * pi - shadow)
   it "keeps a star's light at the pole as elsewhere" $ do

@@ -43,7 +43,9 @@ spec = do
     XYZ.norm (XYZ.cross x d) > 1
       ==> case (sightLine Flat Static x d, y * climb < 0) of
         (Just sight, True) -> case planeCrossings straight sight of
-          [crossing] -> closeTo 1e-9 (XYZ.norm (x ^+^ (-y / climb) *^ d)) (crossingRadius crossing)
+          [crossing] ->
+            let r = XYZ.norm (x ^+^ (-y / climb) *^ d)
+             in closeTo (1e-9 * max 1 r) r (crossingRadius crossing)
           other -> counterexample (show other) False
         (Just sight, False) -> planeCrossings straight sight === []
         (Nothing, _) -> counterexample "no line of sight" False

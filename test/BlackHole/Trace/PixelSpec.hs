@@ -99,7 +99,7 @@ spec = do
       [ do
           let traced = tracer defaultScene {scenePicture = Picture 640 360, sceneCamera = looking r 80, sceneObserver = observer}
               alpha = case observer of
-                -- What somebody at rest sees, by aberration.
+                -- What an observer at rest sees, by aberration.
                 Falling -> 2 * atan (tan (0.5 * atRest) * sqrt ((1 - beta) / (1 + beta)))
                 _ -> atRest
               atRest = asin (sqrt (6.75 * (1 - 1 / r)) / r)

@@ -68,13 +68,13 @@ application port service request respond = case websocketsApp options talk reque
         }
     talk pending = case serviceTalk service asked of
       Nothing -> rejectRequestWith pending defaultRejectRequest {rejectCode = 403, rejectMessage = "Forbidden", rejectBody = "Forbidden\n"}
-      Just converse -> do
-        connection <- acceptRequest pending
+      Just serveSession -> do
+        socket <- acceptRequest pending
         -- Warp ends connections that are silent for 30 seconds.
-        withPingThread connection 10 (pure ()) . converse $
-          Conversation
-            { hear = (Just . fromDataMessage <$> receiveDataMessage connection) `catch` gone Nothing `catch` broken Nothing,
-              send = \message -> WebSockets.sendDataMessage connection (dataMessage message) `catch` gone () `catch` broken ()
+        withPingThread socket 10 (pure ()) . serveSession $
+          Connection
+            { hear = (Just . fromDataMessage <$> receiveDataMessage socket) `catch` gone Nothing `catch` broken Nothing,
+              send = \message -> WebSockets.sendDataMessage socket (dataMessage message) `catch` gone () `catch` broken ()
             }
     -- The page is gone, or does not follow the protocol.
     gone :: a -> ConnectionException -> IO a

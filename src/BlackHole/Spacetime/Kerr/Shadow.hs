@@ -21,7 +21,7 @@ data Shadow = Shadow
     _shadowHalfWidth :: {-# UNPACK #-} !Double
   }
 
--- | The shadow from a place outside the ergosphere; 'Nothing' elsewhere. Two
+-- | The shadow seen from a position outside the ergosphere; 'Nothing' elsewhere. Two
 -- bisections.
 shadow :: Spin -> Place -> Maybe Shadow
 shadow hole place@(Place r polarAngle)

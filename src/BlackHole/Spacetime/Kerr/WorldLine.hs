@@ -1,4 +1,4 @@
--- | Clocks of observers on geodesics around a rotating hole: where they are when their own
+-- | World lines of observers on geodesics around a rotating hole: their position when their own
 -- clock shows a given time. "BlackHole.Spacetime.Schwarzschild.FreeFall" is the case without spin.
 module BlackHole.Spacetime.Kerr.WorldLine
   ( kerrInfallTime,

@@ -78,7 +78,7 @@ spec = do
     straight = (,) <$> inRange 1.01 50 <*> inRange 0.01 3.13
     line r psi = lineSeries (1 / r) (negate (cos psi) / (r * sin psi))
 
--- | Radius and velocity of light that somebody at rest sees at an angle from
+-- | Radius and velocity of light that an observer at rest sees at an angle from
 -- the outward radius.
 outsidePhoton :: Gen (Double, Double, Double)
 outsidePhoton = do

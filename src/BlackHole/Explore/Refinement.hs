@@ -1,13 +1,12 @@
--- | The painter of a page.
+-- | Progressive refinement of the picture in a page's view.
 --
--- The newest scene is the only one that counts. The painter shows it at once with few
--- pixels. If nothing newer comes, it refines the picture; anything newer stops that in
--- the middle of a row. A page that does not draw its frames gets no more of them, so
--- that nothing piles up.
-module BlackHole.Explore.Painter
+-- Only the newest scene counts. It appears at once with few pixels; without further input
+-- the picture is refined, and new input stops that in the middle of a row. A page that
+-- does not acknowledge its frames gets no more of them, so that none pile up.
+module BlackHole.Explore.Refinement
   ( Wanted (..),
-    Easel (..),
-    paint,
+    View (..),
+    showRefined,
     fitting,
     enlarged,
   )
@@ -36,7 +35,7 @@ import Data.Maybe (fromMaybe, isJust)
 import qualified Data.Vector.Storable as Vector
 import GHC.Clock (getMonotonicTime)
 
--- | What a page wants to see.
+-- | The picture that a page asks for.
 data Wanted = Wanted
   { -- | Grows with every change.
     wantedTurn :: !Int,
@@ -47,19 +46,19 @@ data Wanted = Wanted
     wantedWindow :: !(Maybe (Int, Int))
   }
 
--- | What a painter works with.
-data Easel = Easel
-  { easelStudio :: !Studio,
-    easelWanted :: !(TVar Wanted),
+-- | The view of a page.
+data View = View
+  { viewRenderer :: !Renderer,
+    viewWanted :: !(TVar Wanted),
     -- | The numbers of the latest frame that was sent and that the page has drawn.
-    easelSent :: !(TVar Int),
-    easelDrawn :: !(TVar Int),
-    easelShow :: Frame -> IO (),
+    viewSent :: !(TVar Int),
+    viewDrawn :: !(TVar Int),
+    viewShow :: Frame -> IO (),
     -- | Say why there is no picture of an input.
-    easelRefuse :: Input -> String -> IO ()
+    viewRefuse :: Input -> String -> IO ()
   }
 
--- | What the painter remembers from picture to picture.
+-- | What is kept from picture to picture.
 data Memory = Memory
   { -- | The environment map and the file that it comes from.
     memorySky :: !(Maybe (FilePath, EnvironmentMap)),
@@ -69,14 +68,14 @@ data Memory = Memory
     memoryPace :: !Pace
   }
 
--- | Paint what is wanted, for ever.
-paint :: Easel -> IO ()
-paint easel = go (Memory Nothing Nothing Nothing initialPace) (-1)
+-- | Shows what is wanted and refines it, for ever.
+showRefined :: View -> IO ()
+showRefined view = go (Memory Nothing Nothing Nothing initialPace) (-1)
   where
-    studio = easelStudio easel
+    renderer = viewRenderer view
     go memory done = do
       wanted <- atomically $ do
-        w <- readTVar (easelWanted easel)
+        w <- readTVar (viewWanted view)
         check (wantedTurn w /= done && isJust (wantedWindow w))
         roomForFrame
         pure w
@@ -84,27 +83,27 @@ paint easel = go (Memory Nothing Nothing Nothing initialPace) (-1)
           scene = (wantedScene wanted) {scenePicture = window}
       loaded <- skyFor memory scene
       case loaded of
-        Left problem -> easelRefuse easel (wantedInput wanted) problem >> go memory (wantedTurn wanted)
+        Left problem -> viewRefuse view (wantedInput wanted) problem >> go memory (wantedTurn wanted)
         Right (sky, memory') -> do
           drawn <- draft sky memory' (wantedInput wanted) scene
           case drawn of
-            Nothing -> easelRefuse easel (wantedInput wanted) "the scene cannot be traced" >> go memory' (wantedTurn wanted)
+            Nothing -> viewRefuse view (wantedInput wanted) "the scene cannot be traced" >> go memory' (wantedTurn wanted)
             Just (memory'', film) -> do
               outcome <- race (superseded wanted) (threadDelay restMicroseconds >> refine sky memory'' (wantedInput wanted) scene film)
               go (fromRight memory'' outcome) (wantedTurn wanted)
     superseded wanted = atomically $ do
-      w <- readTVar (easelWanted easel)
+      w <- readTVar (viewWanted view)
       check (wantedTurn w /= wantedTurn wanted)
     -- At most two frames are under way.
     roomForFrame = do
-      sent <- readTVar (easelSent easel)
-      drawn <- readTVar (easelDrawn easel)
+      sent <- readTVar (viewSent view)
+      drawn <- readTVar (viewDrawn view)
       check (sent - drawn < 2)
     skyFor memory scene = case (neededPicture scene, memorySky memory) of
       (Nothing, _) -> pure (Right (Nothing, memory))
       (Just file, Just (known, picture)) | file == known -> pure (Right (Just picture, memory))
       (Just file, _) -> do
-        loaded <- studioSky studio scene
+        loaded <- rendererSky renderer scene
         pure $ case loaded of
           Right (Just picture) -> Right (Just picture, memory {memorySky = Just (file, picture), memoryTracer = Nothing, memoryFinished = Nothing})
           Right Nothing -> Right (Nothing, memory)
@@ -113,18 +112,18 @@ paint easel = go (Memory Nothing Nothing Nothing initialPace) (-1)
     -- A picture at once: the finished one developed anew if that is all that changed.
     draft sky memory input scene = case memoryFinished memory of
       Just (finished, exposed) | atExposureZero finished == atExposureZero scene -> do
-        picture <- quickly studio 90 scene (exposedLight exposed)
+        picture <- quickly renderer 90 scene (exposedLight exposed)
         deliver Refining 0 input (scenePicture scene) picture
         pure (Just (memory, exposedLight exposed))
       _ -> do
         start <- getMonotonicTime
         let size@(Picture width height) = movingSize (memoryPace memory) (scenePicture scene)
             moving = movingScene size scene
-        drawn <- drafted studio sky (memoryTracer memory) moving
+        drawn <- drafted renderer sky (memoryTracer memory) moving
         case drawn of
           Nothing -> pure Nothing
           Just (traced, film) -> do
-            picture <- quickly studio 80 moving film
+            picture <- quickly renderer 80 moving film
             deliver Moving 0 input size picture
             end <- getMonotonicTime
             pure (Just (memory {memoryTracer = Just traced, memoryPace = paced (width * height) (end - start) (memoryPace memory)}, film))
@@ -134,18 +133,18 @@ paint easel = go (Memory Nothing Nothing Nothing initialPace) (-1)
       _ -> do
         sharper <- enlarging sky (memoryTracer memory) input scene film
         latest <- getMonotonicTime >>= newIORef
-        exposed <- completed studio sky scene sharper $ \done so -> do
+        exposed <- completed renderer sky scene sharper $ \done so -> do
           now <- getMonotonicTime
           before <- readIORef latest
           free <- atomically ((True <$ roomForFrame) `orElse` pure False)
           when (free && now - before > 0.25 && done < 1) $ do
-            picture <- quickly studio 92 scene so
+            picture <- quickly renderer 92 scene so
             deliver Refining done input (scenePicture scene) picture
             getMonotonicTime >>= writeIORef latest
         maybe (pure memory) (finish memory input scene) exposed
 
     finish memory input scene exposed = do
-      bytes <- finishedPng studio scene exposed
+      bytes <- finishedPng renderer scene exposed
       atomically roomForFrame
       forM_ bytes $ \png -> deliver Finished 1 input (scenePicture scene) png
       pure memory {memoryFinished = Just (scene, exposed)}
@@ -156,11 +155,11 @@ paint easel = go (Memory Nothing Nothing Nothing initialPace) (-1)
       -- The final picture itself has one ray per pixel.
       | next == scenePicture scene && movingScene next scene == scene = pure (enlarged film next)
       | otherwise = do
-        drawn <- drafted studio sky traced (movingScene next scene)
+        drawn <- drafted renderer sky traced (movingScene next scene)
         case drawn of
           Nothing -> pure (enlarged film (scenePicture scene))
           Just (traced', larger) -> do
-            picture <- quickly studio 88 (movingScene next scene) larger
+            picture <- quickly renderer 88 (movingScene next scene) larger
             atomically roomForFrame
             deliver Refining 0 input next picture
             enlarging sky (Just traced') input scene larger
@@ -173,9 +172,9 @@ paint easel = go (Memory Nothing Nothing Nothing initialPace) (-1)
 
     deliver stage done input (Picture width height) picture = do
       number <- atomically $ do
-        n <- (+ 1) <$> readTVar (easelSent easel)
-        n <$ writeTVar (easelSent easel) n
-      easelShow easel (Frame stage done number input (width, height) picture)
+        n <- (+ 1) <$> readTVar (viewSent view)
+        n <$ writeTVar (viewSent view) n
+      viewShow view (Frame stage done number input (width, height) picture)
 
 -- | How long nothing new must come before the refinement begins, in microseconds.
 restMicroseconds :: Int

@@ -1,8 +1,8 @@
--- | What all pages of @blackhole explore@ share: the picture that is being rendered to a
+-- | The state that all pages of @blackhole explore@ share: the picture that is being rendered to a
 -- file, and the small pictures of the presets.
-module BlackHole.Explore.Hall
-  ( Hall (..),
-    newHall,
+module BlackHole.Explore.ServerState
+  ( ServerState (..),
+    newServerState,
     busy,
     presetThumbnail,
     startJob,
@@ -30,86 +30,86 @@ import Data.List.NonEmpty (NonEmpty (..))
 import qualified Data.Map.Strict as Map
 import GHC.Clock (getMonotonicTime)
 
--- | What all pages share.
-data Hall = Hall
-  { hallStudio :: !Studio,
+-- | The shared state.
+data ServerState = ServerState
+  { stateRenderer :: !Renderer,
     -- | The scene that pages begin with, and the preset it comes from.
-    hallStart :: !(String, Scene),
+    stateStart :: !(String, Scene),
     -- | The number of open pages.
-    hallPages :: !(TVar Int),
+    statePages :: !(TVar Int),
     -- | The picture that is rendered to a file, and its thread.
-    hallJob :: !(TVar JobState),
-    hallWorker :: !(TVar (Maybe (Async ()))),
-    hallThumbnails :: !(MVar (Map.Map String Lazy.ByteString)),
+    stateJob :: !(TVar JobState),
+    stateWorker :: !(TVar (Maybe (Async ()))),
+    stateThumbnails :: !(MVar (Map.Map String Lazy.ByteString)),
     -- | A reply as JSON.
-    hallText :: Reply -> Lazy.ByteString
+    stateText :: Reply -> Lazy.ByteString
   }
 
--- | No pages yet.
-newHall :: Studio -> (String, Scene) -> (Reply -> Lazy.ByteString) -> IO Hall
-newHall studio start text = do
+-- | The state before the first page opens.
+newServerState :: Renderer -> (String, Scene) -> (Reply -> Lazy.ByteString) -> IO ServerState
+newServerState renderer start text = do
   pages <- newTVarIO 0
   job <- newTVarIO NoJob
   worker <- newTVarIO Nothing
   thumbnails <- newMVar Map.empty
-  pure (Hall studio start pages job worker thumbnails text)
+  pure (ServerState renderer start pages job worker thumbnails text)
 
--- | Whether somebody needs the program: a page is open, or a picture is being rendered.
-busy :: Hall -> STM Bool
-busy hall = do
-  pages <- readTVar (hallPages hall)
-  job <- readTVar (hallJob hall)
+-- | Whether the program is needed: a page is open, or a picture is being rendered.
+busy :: ServerState -> STM Bool
+busy state = do
+  pages <- readTVar (statePages state)
+  job <- readTVar (stateJob state)
   pure $
     pages > 0 || case job of
       JobRuns _ _ -> True
       _ -> False
 
 -- | A small JPEG of a preset, rendered at the first request, one at a time.
-presetThumbnail :: Hall -> String -> IO (Maybe Lazy.ByteString)
-presetThumbnail hall name = case findPreset name of
+presetThumbnail :: ServerState -> String -> IO (Maybe Lazy.ByteString)
+presetThumbnail state name = case findPreset name of
   Nothing -> pure Nothing
-  Just scene -> modifyMVar (hallThumbnails hall) $ \known -> case Map.lookup name known of
+  Just scene -> modifyMVar (stateThumbnails state) $ \known -> case Map.lookup name known of
     Just picture -> pure (known, Just picture)
     Nothing -> do
-      made <- thumbnail (hallStudio hall) scene
+      made <- thumbnail (stateRenderer state) scene
       pure (maybe known (\picture -> Map.insert name picture known) made, made)
 
 -- | Render a scene to a file, as @blackhole render@ does, unless another picture is being
 -- rendered.
-startJob :: Hall -> Scene -> Format -> FilePath -> IO Bool
-startJob hall scene format name = do
+startJob :: ServerState -> Scene -> Format -> FilePath -> IO Bool
+startJob state scene format name = do
   free <- atomically $ do
-    before <- readTVar state
+    before <- readTVar jobState
     case before of
       JobRuns _ _ -> pure False
-      _ -> True <$ writeTVar state (JobRuns name 0)
+      _ -> True <$ writeTVar jobState (JobRuns name 0)
   when free $ do
     worker <- async $ do
       outcome <- try job
-      atomically . writeTVar state $ case outcome of
+      atomically . writeTVar jobState $ case outcome of
         Right end -> end
         Left failure
           | Just AsyncCancelled <- fromException failure -> JobStopped name
           | otherwise -> JobFailed name (unwords (lines (displayException (failure :: SomeException))))
-    atomically (writeTVar (hallWorker hall) (Just worker))
+    atomically (writeTVar (stateWorker state) (Just worker))
   pure free
   where
-    state = hallJob hall
-    studio = hallStudio hall
+    jobState = stateJob state
+    renderer = stateRenderer state
     rows = pictureHeight (scenePicture scene)
     failed = pure . JobFailed name
     job = do
       start <- getMonotonicTime
-      room <- studioRoom studio format scene
-      sky <- studioSky studio scene
+      room <- rendererRoom renderer format scene
+      sky <- rendererSky renderer scene
       case (room, sky) of
         (Just problem, _) -> failed problem
         (_, Left problem) -> failed problem
         (Nothing, Right picture) -> do
-          exposed <- exposeFilm picture (studioWorkers studio) (\done -> atomically (writeTVar state (JobRuns name (fromIntegral done / fromIntegral rows)))) scene (0, rows)
+          exposed <- exposeFilm picture (rendererWorkers renderer) (\done -> atomically (writeTVar jobState (JobRuns name (fromIntegral done / fromIntegral rows)))) scene (0, rows)
           case exposed of
             Nothing -> failed "the scene cannot be traced"
-            Just light -> case pictureEncoder (studioWorkers studio) software format defaultCoding (scene :| []) (pure . countsRow scene light) of
+            Just light -> case pictureEncoder (rendererWorkers renderer) software format defaultCoding (scene :| []) (pure . countsRow scene light) of
               Nothing -> failed "the picture is too large for this format"
               Just write -> do
                 written <- writeAtomically name (toHandle >=> write (pure . filmRows (exposedLight light)))
