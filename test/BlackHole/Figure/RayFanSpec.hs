@@ -97,8 +97,11 @@ spec = do
     spins = mapMaybe spin [0.9, -0.9, 0.3, 0.998]
     fast = fromMaybe noSpin (spin 0.9)
     remainder x = x - 2 * pi * fromIntegral (round (x / (2 * pi)) :: Int)
-    inwardEnds points = case takeWhile (uncurry (>)) (zip (map fst points) (drop 1 (map fst points))) of
-      inward -> (points !! 0, points !! (length inward `div` 2))
+    -- A point at the start and one halfway to the smallest radius.
+    inwardEnds points = (entry, last (entry : take (length inward `div` 2) inward))
+      where
+        inward = [q | (p, q) <- zip points (drop 1 points), fst q < fst p]
+        entry = foldr const (0, 0) points
     figure = rayFanFigure defaultRayFan
     characters run = case run of
       Plain s -> s
