@@ -67,7 +67,7 @@ spec = do
       [fanCriticalParameters s | Just s <- [spin (1 - 1e-14)]]
         `shouldSatisfy` all (\(below, above) -> abs (below + 1) < 1e-6 && abs (above - 3.5) < 1e-6)
     it "follow the equations of motion of the hole, forwards" $
-      -- A Runge-Kutta integration of dφ/dw by the potentials of the unreversed hole.
+      -- Simpson's rule of dφ/dw by the potentials of the unreversed hole.
       [ (s, b, turned, expected)
         | s <- spins,
           b <- [-7, -4, 4.5, 7],
