@@ -1,17 +1,5 @@
-/* The page of blackhole explore as constants of the program, as in
-   data/sky/sky.c. */
-#ifdef __APPLE__
-#define SECTION ".const_data"
-#define NAME(symbol) "_" #symbol
-#else
-#define SECTION ".section .rodata"
-#define NAME(symbol) #symbol
-#endif
-
-#define EMBED(symbol, file)                                                    \
-  __asm__(SECTION "\n.globl " NAME(symbol) "\n.globl " NAME(symbol##_end)      \
-          "\n.balign 16\n" NAME(symbol) ":\n.incbin \"" file "\"\n"            \
-          NAME(symbol##_end) ":\n.byte 0\n.text\n")
+/* The page of blackhole explore. */
+#include "../embed.h"
 
 EMBED(blackhole_page_html, "data/explore/page.html");
 EMBED(blackhole_page_css, "data/explore/page.css");
