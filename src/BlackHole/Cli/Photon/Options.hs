@@ -182,23 +182,8 @@ resolveRotating options s = case (problems, ray) of
           (\r -> r > 0.5 && r <= 1e6)
           "a distance outside the ergosphere and up to 1e6 (Schwarzschild radii)"
           distance
-        ++ foldMap
-          ( checkNumber
-              "--psi"
-              (\a -> a >= 0 && a <= 180)
-              "an angle from 0 to 180 (degrees from the direction of the hole's centre)"
-          )
-          (photonPsi options)
-        ++ checkNumber
-          "--inclination"
-          (\i -> i >= 0 && i <= 180)
-          "an angle from 0 to 180 (degrees from the disk's axis)"
-          inclination
-        ++ checkNumber
-          "--eta"
-          (\a -> abs a <= 360)
-          "an angle from -360 to 360 (degrees from right towards up)"
-          (fromMaybe standardEta (photonEta options))
+        ++ foldMap psiProblems (photonPsi options)
+        ++ sightProblems inclination (fromMaybe standardEta (photonEta options))
         ++ pathNameProblems options
     distance = fromMaybe standardDistance (photonDistance options)
     inclination = fromMaybe standardInclination (photonInclination options)
@@ -224,7 +209,7 @@ resolvePlanar options = case (problems, trajectory, method) of
   ([], Just path, Just way) -> Right (PhotonTask path way)
   _ -> Left problems
   where
-    problems = startProblems ++ sightProblems ++ methodProblems ++ pathNameProblems options
+    problems = startProblems ++ sightProblems inclination eta ++ methodProblems ++ pathNameProblems options
     (startProblems, trajectory) = case (photonImpact options, photonPsi options) of
       (Just b, Nothing)
         | Nothing <- photonDistance options ->
@@ -249,28 +234,13 @@ resolvePlanar options = case (problems, trajectory, method) of
             (\r -> r > 1 && r <= 1e6)
             "a distance above 1 and up to 1e6 (Schwarzschild radii)"
             distance
-            ++ checkNumber
-              "--psi"
-              (\a -> a >= 0 && a <= 180)
-              "an angle from 0 to 180 (degrees from the direction of the hole's centre)"
-              angle,
+            ++ psiProblems angle,
           trajectoryFromCamera sight distance (toRadians (Degrees angle))
         )
     distance = fromMaybe standardDistance (photonDistance options)
     inclination = fromMaybe standardInclination (photonInclination options)
     eta = fromMaybe standardEta (photonEta options)
     sight = Sight (toRadians (Degrees inclination)) (toRadians (Degrees eta))
-    sightProblems =
-      checkNumber
-        "--inclination"
-        (\i -> i >= 0 && i <= 180)
-        "an angle from 0 to 180 (degrees from the disk's axis)"
-        inclination
-        ++ checkNumber
-          "--eta"
-          (\a -> abs a <= 360)
-          "an angle from -360 to 360 (degrees from right towards up)"
-          eta
     (methodProblems, method) = case (photonIntegrator options, photonStep options) of
       (Leapfrogging, Just l) ->
         ( checkNumber
@@ -307,3 +277,25 @@ resolvePlanar options = case (problems, trajectory, method) of
 pathNameProblems :: PhotonOptions -> [Problem]
 pathNameProblems options =
   [Problem "--path" "an empty name" "the name of a file" | photonPath options == Just ""]
+
+-- | The problems of an angle ψ in degrees.
+psiProblems :: Double -> [Problem]
+psiProblems =
+  checkNumber
+    "--psi"
+    (\a -> a >= 0 && a <= 180)
+    "an angle from 0 to 180 (degrees from the direction of the hole's centre)"
+
+-- | The problems of an inclination and an angle η in degrees.
+sightProblems :: Double -> Double -> [Problem]
+sightProblems inclination eta =
+  checkNumber
+    "--inclination"
+    (\i -> i >= 0 && i <= 180)
+    "an angle from 0 to 180 (degrees from the disk's axis)"
+    inclination
+    ++ checkNumber
+      "--eta"
+      (\a -> abs a <= 360)
+      "an angle from -360 to 360 (degrees from right towards up)"
+      eta
