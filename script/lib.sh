@@ -411,3 +411,20 @@ build_program() {
   printf '%s\n' "$sources" >"$build/bin/new"
   mv "$build/bin/new" "$build/bin/state"
 }
+
+# compile_script NAME PACKAGES: compile script/NAME.hs with the library's modules to
+# $build/NAME/run, after installing the packages, and change to the project's folder.
+compile_script() {
+  lock
+  prepare "$2"
+  use_utf8
+  mkdir -p "$build/$1"
+  cd "$root" || exit
+  # shellcheck disable=SC2086
+  watched $compiler -O1 -threaded -isrc -ibackend/vector -outputdir "$build/$1" \
+    data/sky/sky.c "script/$1.hs" -o "$build/$1/run" || {
+    cat "$log" >&2
+    fail "script/$1.hs cannot be compiled"
+  }
+  unlock
+}
