@@ -65,7 +65,7 @@ kerrReport hole drawn ray =
     }
   where
     path = kerrPath hole (BoyerLindquist 0) ray
-    traced = tracing (Kerr hole) InClosedForm (rayRadius ray)
+    traced = tracing (Kerr hole) InClosedForm (XYZ (rayRadius ray) 0 0)
     sight = RotatingSight hole (BoyerLindquist 0) ray
     limit = max drawn (rayRadius ray)
     momentum2 = abs (rayEta ray) + rayLambda ray * rayLambda ray

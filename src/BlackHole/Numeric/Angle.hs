@@ -6,6 +6,7 @@ module BlackHole.Numeric.Angle
     toRadians,
     toDegrees,
     arcTangent2,
+    quarterTangent,
   )
 where
 
@@ -37,3 +38,13 @@ arcTangent2 y x
   | y < 0 = negate (pi / 2)
   | otherwise = 0
 {-# INLINE arcTangent2 #-}
+
+-- | tan(ψ/4) from cos ψ and sin ψ.
+quarterTangent :: Double -> Double -> Double
+quarterTangent cosine sine = sine / (high + sqrt (2 * high))
+  where
+    -- 1 + cos ψ.
+    high
+      | cosine < 0 = sine * sine / (1 - cosine)
+      | otherwise = 1 + cosine
+{-# INLINE quarterTangent #-}

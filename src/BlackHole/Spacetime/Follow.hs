@@ -9,6 +9,7 @@ module BlackHole.Spacetime.Follow
     Method (..),
     tracing,
     tracingNeedsTable,
+    tracingServes,
     follow,
     pathFate,
     planeCrossings,
@@ -24,9 +25,10 @@ import BlackHole.Spacetime.Kerr.Landmarks (Spin, horizonRadius, kerrDelta)
 import BlackHole.Spacetime.Kerr.Path
 import BlackHole.Spacetime.Kerr.Radial (photonOrbitOffset, radialPotential)
 import BlackHole.Spacetime.Kerr.Sight
+import BlackHole.Spacetime.Kerr.SkyTable
 import BlackHole.Spacetime.LightPath
 import BlackHole.Spacetime.Momentum
-import BlackHole.Spacetime.Observer (SightLine (..))
+import BlackHole.Spacetime.Observer (SightLine (..), kerrPlace)
 import BlackHole.Spacetime.Photon
 import BlackHole.Spacetime.PlaneCrossing
 import BlackHole.Spacetime.Schwarzschild.ExactPath
@@ -40,6 +42,7 @@ import BlackHole.Spacetime.Types (Spacetime (..))
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^-^))
 import qualified BlackHole.Vector.XYZ as XYZ
+import Data.Maybe (fromMaybe)
 
 -- | A spacetime, and how to follow light to a camera in it.
 data Tracing = Tracing
@@ -47,16 +50,33 @@ data Tracing = Tracing
     tracingMethod :: !Method,
     -- | The paths through the camera's position around a hole without spin, computed at
     -- their first use.
-    tracingTable :: LensTable
+    tracingTable :: LensTable,
+    -- | The directions from which light comes to the camera around a rotating hole,
+    -- computed as far as rays need them.
+    tracingSkyTable :: Maybe SkyTable,
+    -- | The camera's position.
+    _tracingPlace :: !XYZ
   }
 
--- | The ways to follow light on a path in a plane. Around a rotating hole there is the
--- closed form alone.
+-- | The ways to follow light. Around a rotating hole the table holds where a path ends,
+-- and the closed form serves for everything else.
 data Method = ByTable | InClosedForm | ByLeapfrog !Leapfrog
 
--- | @tracing space method r@ is for a camera at the distance @r@ from the hole.
-tracing :: Spacetime -> Method -> Double -> Tracing
-tracing space method r = Tracing space method (lensTable r)
+-- | @tracing space method place@ is for a camera at a position.
+tracing :: Spacetime -> Method -> XYZ -> Tracing
+tracing space method place = Tracing space method (lensTable (XYZ.norm place)) rotating place
+  where
+    rotating = case (space, method) of
+      (Kerr hole, ByTable) -> Just (skyTable hole (kerrPlace place))
+      _ -> Nothing
+
+-- | Whether the tables of a camera serve for one at another position, to rounding.
+tracingServes :: Tracing -> XYZ -> Bool
+tracingServes (Tracing space _ _ _ before@(XYZ _ height _)) place@(XYZ _ height' _) = case space of
+  Kerr _ -> sameDistance && abs (height' - height) <= 1e-12 * XYZ.norm before
+  _ -> sameDistance
+  where
+    sameDistance = abs (XYZ.norm place - XYZ.norm before) <= 1e-12 * XYZ.norm place
 
 -- | Whether light is followed by the table of paths.
 tracingNeedsTable :: Tracing -> Bool
@@ -72,8 +92,10 @@ tracingNeedsTable traced = case (tracingMethod traced, tracingSpacetime traced) 
 --
 -- Inlined, so that GHC compiles each gathering function into the loop along the path.
 follow :: Tracing -> Region -> Double -> SightLine -> (a -> PathSegment -> Continue a) -> a -> Followed a
-follow (Tracing space method table) region phase sight gather initial = case sight of
-  RotatingSight hole azimuth ray -> followKerr hole region phase azimuth ray gather initial
+follow traced@(Tracing space method table _ _) region phase sight gather initial = case sight of
+  RotatingSight hole azimuth ray ->
+    let path = kerrPath hole azimuth ray
+     in followKerr hole region phase path (rotatingFate traced path azimuth ray) ray gather initial
   SightLine photon _ -> case method of
     ByTable -> followTable space table region phase photon gather initial
     InClosedForm -> followExact space region photon gather initial
@@ -83,9 +105,13 @@ follow (Tracing space method table) region phase sight gather initial = case sig
 -- | The fate of a line of sight with nothing in its way.
 pathFate :: Tracing -> SightLine -> Fate XYZ
 pathFate traced sight = case (sight, tracingMethod traced) of
-  (RotatingSight hole azimuth ray, _) -> kerrFate (kerrPath hole azimuth ray)
+  (RotatingSight hole azimuth ray, _) -> rotatingFate traced (kerrPath hole azimuth ray) azimuth ray
   (SightLine photon _, ByTable) -> tableFate (tracingSpacetime traced) (tracingTable traced) photon
   _ -> followedFate (follow traced emptyRegion 0 sight (\() _ -> Continue ()) ())
+
+-- | The end of a path around a rotating hole, from the table where it applies.
+rotatingFate :: Tracing -> KerrPath -> Azimuth -> LightRay -> Fate XYZ
+rotatingFate traced path azimuth ray = fromMaybe (kerrFate path) (tracingSkyTable traced >>= \table -> tabulatedFate table azimuth ray)
 
 -- | All crossings of the disk's plane along a line of sight, in order from the camera,
 -- whether or not gas hides them, with the momentum of the real photon there; 'Nothing' at
@@ -109,7 +135,7 @@ rotatingCrossing hole ray (KerrPoint r _ azimuth grows) = PlaneCrossing r (wrapp
 
 -- | The whole path of a photon, unless it is followed step by step.
 planarTrajectory :: Tracing -> Double -> Photon -> Maybe Trajectory
-planarTrajectory (Tracing space method table) observed photon = case (method, space) of
+planarTrajectory (Tracing space method table _ _) observed photon = case (method, space) of
   (ByLeapfrog _, _) -> Nothing
   (_, Flat) -> Just (trajectoryOnLine observed photon)
   (ByTable, _) -> Just (trajectoryOnTable table observed photon)
@@ -153,14 +179,21 @@ pathDeflection traced sight = case sight of
 -- | @skyJacobian tracing beside sight direction@ are the derivatives of the direction in
 -- which a line of sight escapes with respect to the two components of an offset, where
 -- @beside@ is the line of sight at an offset from the same position. 'Nothing' where
--- neither the table of paths ('lensChanges') nor differences towards both sides offer
--- them.
+-- neither a table ('lensChanges', 'tabulatedChange') nor differences towards both sides
+-- offer them.
 skyJacobian :: Tracing -> (XY -> Maybe SightLine) -> SightLine -> XYZ -> Maybe LensChanges
 skyJacobian traced beside sight direction = case (tracingSpacetime traced, sight) of
   (Schwarzschild, SightLine photon _)
     | Just (SightLine right _) <- beside (XY 0.01 0),
       Just (SightLine below _) <- beside (XY 0 0.01),
       Just (LensChanges alongX alongY) <- lensChanges (tracingTable traced) photon direction right below ->
+      Just (LensChanges ((1 / 0.01) *^ alongX) ((1 / 0.01) *^ alongY))
+  (_, RotatingSight _ azimuth ray)
+    | Just table <- tracingSkyTable traced,
+      Just (RotatingSight _ _ right) <- beside (XY 0.01 0),
+      Just (RotatingSight _ _ below) <- beside (XY 0 0.01),
+      Just alongX <- tabulatedChange table azimuth ray right,
+      Just alongY <- tabulatedChange table azimuth ray below ->
       Just (LensChanges ((1 / 0.01) *^ alongX) ((1 / 0.01) *^ alongY))
   (_, RotatingSight {})
     | Just right <- beside (XY 1e-3 0) >>= escape,
@@ -177,7 +210,8 @@ skyJacobian traced beside sight direction = case (tracingSpacetime traced, sight
 -- around a hole without spin, and about as large around a rotating one. 'Nothing' without
 -- gravity.
 shadowOffset :: Tracing -> SightLine -> Maybe Double
-shadowOffset (Tracing space _ table) sight = case (space, sight) of
+shadowOffset (Tracing space _ table rotating _) sight = case (space, sight) of
   (Schwarzschild, SightLine photon _) -> Just (criticalOffset table photon)
+  (_, RotatingSight _ _ ray) | Just offset <- rotating >>= \known -> tabulatedOffset known ray -> Just offset
   (_, RotatingSight hole _ ray) -> (* negate (2.6 / max 2.6 (rayRadius ray))) <$> photonOrbitOffset hole ray
   _ -> Nothing

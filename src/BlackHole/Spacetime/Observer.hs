@@ -16,6 +16,7 @@ module BlackHole.Spacetime.Observer
     SightLine (..),
     sightFrequency,
     sightPhoton,
+    kerrPlace,
     Eye,
     eye,
     eyePlace,
@@ -118,6 +119,7 @@ kerrMotion observer = case observer of
   Falling -> Just InFreeFall
   Coordinate -> Nothing
 
+-- | A position in the coordinates of a rotating hole.
 kerrPlace :: XYZ -> Place
 kerrPlace (XYZ x y z) = Place (sqrt (rho2 + y * y)) (atan2 (sqrt rho2) y)
   where

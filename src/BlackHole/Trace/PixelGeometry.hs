@@ -17,7 +17,6 @@ import BlackHole.Spacetime.Follow
 import BlackHole.Spacetime.Observer
 import BlackHole.Spacetime.PlaneCrossing
 import BlackHole.Vector.XY (XY (..))
-import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Maybe (listToMaybe)
 
 -- | The geometry of one line of sight.
@@ -42,7 +41,7 @@ pixelGeometry scene = at <$> cameraFrame (sceneCamera scene)
     !place = posePosition (cameraPose (sceneCamera scene))
     !seer = eye (sceneSpacetime scene) (sceneObserver scene) place
     !flow = gasFlow (sceneSpacetime scene)
-    !traced = tracing (sceneSpacetime scene) ByTable (XYZ.norm place)
+    !traced = tracing (sceneSpacetime scene) ByTable place
     at frame = look
       where
         !plane = picturePlane (sceneProjection scene) (sceneCamera scene) (scenePicture scene) frame

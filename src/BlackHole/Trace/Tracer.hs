@@ -87,7 +87,7 @@ tracerWithSky picture scene = do
             else Nothing,
         tracerSkyShift = skyShiftAt (sceneShifts scene) (frequencyAtRest (sceneSpacetime scene) place),
         tracerRegion = sceneRegion scene,
-        tracerPaths = tracing (sceneSpacetime scene) method (XYZ.norm place),
+        tracerPaths = tracing (sceneSpacetime scene) method place,
         tracerMatter = matter,
         tracerSky = sky
       }
@@ -120,7 +120,6 @@ tracerAfter earlier picture scene = reusing <$> tracerWithSky picture scene
     before = tracerScene earlier
     same :: Eq a => (Scene -> a) -> Bool
     same part = part before == part scene
-    distance = XYZ.norm . posePosition . cameraPose . sceneCamera
     reusing traced =
       traced
         { tracerMatter = case tracerMatter earlier of
@@ -129,7 +128,7 @@ tracerAfter earlier picture scene = reusing <$> tracerWithSky picture scene
                 Gaseous (gasSeenFrom (posePosition (cameraPose (sceneCamera scene))) (pixelWidth scene) (sceneSamples scene) glowing)
             _ -> tracerMatter traced,
           tracerPaths =
-            if same sceneSpacetime && same sceneIntegrator && same sceneLeapfrog && abs (distance scene - distance before) <= 1e-12 * distance scene
+            if same sceneSpacetime && same sceneIntegrator && same sceneLeapfrog && tracingServes (tracerPaths earlier) (posePosition (cameraPose (sceneCamera scene)))
               then tracerPaths earlier
               else tracerPaths traced,
           tracerSky = if same sceneSky && same sceneSeed && same sceneDebugTextures then tracerSky earlier else tracerSky traced

@@ -26,17 +26,16 @@ import BlackHole.Spacetime.March
 import BlackHole.Spacetime.Momentum
 import BlackHole.Vector.XYZ (XYZ (..))
 
--- | Follow a ray from an observer at an azimuth to its end and hand out the segments that lie in a region. The phase,
--- 0 to 1, is the fraction of a whole step that the first segment of a passage is long:
--- neighbours in a picture should have different ones.
-followKerr :: Spin -> Region -> Double -> Azimuth -> LightRay -> (a -> PathSegment -> Continue a) -> a -> Followed a
-followKerr hole region phase azimuth ray gather initial
+-- | Follow the path of a ray to its end, which is given, and hand out the segments that
+-- lie in a region. The phase, 0 to 1, is the fraction of a whole step that the first
+-- segment of a passage is long: neighbours in a picture should have different ones.
+followKerr :: Spin -> Region -> Double -> KerrPath -> Fate XYZ -> LightRay -> (a -> PathSegment -> Continue a) -> a -> Followed a
+followKerr hole region phase path fate ray gather initial
   | reach <= 0 = finish 0 initial
   | otherwise = passages 0 windows initial
   where
     !reach = enclosingRadius region
-    path = kerrPath hole azimuth ray
-    finish !n state = Followed (kerrFate path) state n
+    finish !n state = Followed fate state n
     !a = spinLength hole
     !a2 = a * a
     !lambda = rayLambda ray

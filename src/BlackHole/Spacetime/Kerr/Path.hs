@@ -15,6 +15,7 @@ module BlackHole.Spacetime.Kerr.Path
     kerrPassages,
     kerrSweptAngle,
     kerrStraightAngle,
+    ingoingLead,
   )
 where
 
@@ -112,14 +113,14 @@ closedPath hole azimuth ray r l =
         state = stateAfter r t
         radius = stateRadius state
         (z, x) = turned phase state
-        correction = if inside && radius > horizonRadius hole then ingoing hole radius else 0
+        correction = if inside && radius > horizonRadius hole then ingoingLead hole radius else 0
     -- From inside the horizon light comes in the ingoing azimuth, which has no
     -- pole on its way.
     turned phase state
       | inside = against (start + atan2 s0 c0 - precession l phase - regularDragging regular r state) (greatCircle l phase)
       | otherwise = against (start + atan2 s0 c0 - precession l phase - dragging drag r state) (greatCircle l phase)
     start = case azimuth of
-      Ingoing phi | not inside -> phi - ingoing hole (rayRadius ray)
+      Ingoing phi | not inside -> phi - ingoingLead hole (rayRadius ray)
       Ingoing phi -> phi
       BoyerLindquist phi -> phi
     (c0, s0) = greatCircle l (phaseAtStart l)
@@ -149,10 +150,10 @@ seriesOnly hole azimuth ray =
     outward = rayRadialRate ray > 0
     -- The azimuth in which the frame of the series turns: ingoing for light that
     -- falls towards the hole, whose tracing leads outwards, else outgoing.
-    regular q = if outward then ingoing hole q else negate (ingoing hole q)
+    regular q = if outward then ingoingLead hole q else negate (ingoingLead hole q)
     start = case azimuth of
       Ingoing phi | outward -> phi
-      Ingoing phi -> phi - 2 * ingoing hole (rayRadius ray)
+      Ingoing phi -> phi - 2 * ingoingLead hole (rayRadius ray)
       BoyerLindquist phi -> phi + regular (rayRadius ray)
     turned point = let (c, s) = seriesHorizontal point in against (start - seriesFrame point) (c, negate s)
     pointAt t = KerrPoint r (seriesCosine point) (atan2 x z - (if r > horizonRadius hole then regular r else 0)) outward
@@ -162,8 +163,8 @@ seriesOnly hole azimuth ray =
         (z, x) = turned point
 
 -- | How far the ingoing azimuth is ahead of Boyer–Lindquist's at a radius.
-ingoing :: Spin -> Double -> Double
-ingoing hole r = spinLength hole / (outer - inner) * log (abs ((r - outer) / (r - inner)))
+ingoingLead :: Spin -> Double -> Double
+ingoingLead hole r = spinLength hole / (outer - inner) * log (abs ((r - outer) / (r - inner)))
   where
     outer = horizonRadius hole
     inner = innerHorizonRadius hole

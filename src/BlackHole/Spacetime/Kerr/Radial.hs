@@ -24,6 +24,7 @@ module BlackHole.Spacetime.Kerr.Radial
     regularDragging,
     radialPotential,
     photonOrbitOffset,
+    lightEscapes,
   )
 where
 
@@ -95,6 +96,14 @@ photonOrbitOffset :: Spin -> LightRay -> Maybe Double
 photonOrbitOffset hole ray
   | z > horizonRadius hole = Just (upper / (z * z))
   | otherwise = Nothing
+  where
+    Roots z upper _ = rootsOf hole ray
+
+-- | Whether a ray from outside the horizon comes from the sky, and not from the hole.
+lightEscapes :: Spin -> LightRay -> Bool
+lightEscapes hole ray
+  | upper < 0 || z + sqrt upper <= horizonRadius hole = rayRadialRate ray > 0
+  | otherwise = rayRadius ray > z
   where
     Roots z upper _ = rootsOf hole ray
 

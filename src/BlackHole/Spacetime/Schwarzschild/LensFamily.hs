@@ -16,6 +16,7 @@ module BlackHole.Spacetime.Schwarzschild.LensFamily
   )
 where
 
+import BlackHole.Numeric.Angle (quarterTangent)
 import BlackHole.Spacetime.Schwarzschild.Radii (criticalImpactParameter)
 
 -- | The paths through a point at one distance from the hole.
@@ -45,16 +46,6 @@ criticalParameter r
   where
     u = 1 / r
     cosine = (1.5 * u - 1) * sqrt (1 + 3 * u)
-
--- | tan(ψ/4) from cos ψ and sin ψ.
-quarterTangent :: Double -> Double -> Double
-quarterTangent cosine sine = sine / (high + sqrt (2 * high))
-  where
-    -- 1 + cos ψ.
-    high
-      | cosine < 0 = sine * sine / (1 - cosine)
-      | otherwise = 1 + cosine
-{-# INLINE quarterTangent #-}
 
 -- | tan(ψ/4) for an observer who falls at this speed, from the velocity of a photon of
 -- unit energy. Where an observer at rest exists, this is the aberration of what that
