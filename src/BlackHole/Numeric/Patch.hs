@@ -23,7 +23,6 @@ module BlackHole.Numeric.Patch
 where
 
 import BlackHole.Vector.XYZ (XYZ (..))
-import Data.Foldable (for_)
 import Data.Primitive.PrimArray
 
 -- | The middle and half width of the range of each variable.
@@ -53,23 +52,21 @@ nodes = 8
 -- tolerance is for each component. A rectangle is halved this many times at most. Costs
 -- 64 evaluations for each rectangle.
 patch :: Double -> Int -> (Double -> Double -> Maybe XYZ) -> Rectangle -> Patch
-patch tolerance = go
+patch tolerance depth f rectangle@(Rectangle mx hx my hy) = case traverse (uncurry f) places of
+  Nothing -> Rough
+  Just values
+    | max restX restY <= tolerance -> Smooth rectangle (polynomials samples)
+    | depth <= 0 -> Rough
+    | restX >= restY -> HalvesX mx (part rectangle {middleX = mx - 0.5 * hx, halfX = 0.5 * hx}) (part rectangle {middleX = mx + 0.5 * hx, halfX = 0.5 * hx})
+    | otherwise -> HalvesY my (part rectangle {middleY = my - 0.5 * hy, halfY = 0.5 * hy}) (part rectangle {middleY = my + 0.5 * hy, halfY = 0.5 * hy})
+    where
+      samples = primArrayFromList (concat [[x, y, z] | XYZ x y z <- values])
+      restX = maximum [remainder nodes (\i -> sample i j component) | j <- [0 .. nodes - 1], component <- [0 .. 2]]
+      restY = maximum [remainder nodes (\j -> sample i j component) | i <- [0 .. nodes - 1], component <- [0 .. 2]]
+      sample i j component = indexPrimArray samples ((i * nodes + j) * 3 + component)
   where
-    go depth f rectangle@(Rectangle mx hx my hy) = case traverse (uncurry f) places of
-      Nothing -> Rough
-      Just values
-        | worst <= tolerance -> Smooth rectangle (polynomials samples)
-        | depth <= 0 -> Rough
-        | worstX >= worstY -> HalvesX mx (go (depth - 1) f rectangle {middleX = mx - 0.5 * hx, halfX = 0.5 * hx}) (go (depth - 1) f rectangle {middleX = mx + 0.5 * hx, halfX = 0.5 * hx})
-        | otherwise -> HalvesY my (go (depth - 1) f rectangle {middleY = my - 0.5 * hy, halfY = 0.5 * hy}) (go (depth - 1) f rectangle {middleY = my + 0.5 * hy, halfY = 0.5 * hy})
-        where
-          samples = primArrayFromList (concat [[x, y, z] | XYZ x y z <- values])
-          worst = max worstX worstY
-          worstX = maximum [remainder nodes (\i -> sample i j component) | j <- [0 .. nodes - 1], component <- [0 .. 2]]
-          worstY = maximum [remainder nodes (\j -> sample i j component) | i <- [0 .. nodes - 1], component <- [0 .. 2]]
-          sample i j component = indexPrimArray samples ((i * nodes + j) * 3 + component)
-      where
-        places = [(mx + hx * node nodes i, my + hy * node nodes j) | i <- [0 .. nodes - 1], j <- [0 .. nodes - 1]]
+    part = patch tolerance (depth - 1) f
+    places = [(mx + hx * node nodes i, my + hy * node nodes j) | i <- [0 .. nodes - 1], j <- [0 .. nodes - 1]]
 
 -- | The value at a point of the rectangle; 'Nothing' where no polynomial is accurate.
 patchValue :: Patch -> Double -> Double -> Maybe XYZ
@@ -97,26 +94,36 @@ square :: Int
 square = nodes * nodes
 
 -- | Derivatives with respect to both variables.
-data Changing = Changing !XYZ !XYZ
+data Changing = Changing {-# UNPACK #-} !XYZ {-# UNPACK #-} !XYZ
 
 -- | The derivatives at a point of the rectangle.
 patchChange :: Patch -> Double -> Double -> Maybe Changing
-patchChange whole x y = go whole
+patchChange whole !x !y = go whole
   where
     go p = case p of
       Smooth (Rectangle mx hx my hy) coefficients ->
-        let s = (x - mx) / hx
-            t = (y - my) / hy
-            at component k l = indexPrimArray coefficients (component * square + k * nodes + l)
-            along power power' component =
-              sum [at component k l * power s k * power' t l | k <- [0 .. nodes - 1], l <- [0 .. nodes - 1]]
-            three f = XYZ (f 0) (f 1) (f 2)
-         in Just (Changing (three (\c -> along slope (^) c / hx)) (three (\c -> along (^) slope c / hy)))
+        let !s = (x - mx) / hx
+            !t = (y - my) / hy
+            -- Values and derivatives by Horner's rule, in t for each power of s.
+            inner :: Int -> Int -> Double -> Double -> Two
+            inner !k !l !value !slope
+              | l < 0 = Two value slope
+              | otherwise = inner k (l - 1) (value * t + indexPrimArray coefficients (k + l)) (slope * t + value)
+            outer :: Int -> Int -> Double -> Double -> Double -> Two
+            outer !component !k !value !alongX !alongY
+              | k < 0 = Two (alongX / hx) (alongY / hy)
+              | otherwise =
+                let !(Two v v') = inner (component * square + k * nodes) (nodes - 1) 0 0
+                 in outer component (k - 1) (value * s + v) (alongX * s + value) (alongY * s + v')
+            !(Two ax ay) = outer 0 (nodes - 1) 0 0 0
+            !(Two bx by) = outer 1 (nodes - 1) 0 0 0
+            !(Two cx cy) = outer 2 (nodes - 1) 0 0 0
+         in Just (Changing (XYZ ax bx cx) (XYZ ay by cy))
       HalvesX middle low high -> go (if x < middle then low else high)
       HalvesY middle low high -> go (if y < middle then low else high)
       Rough -> Nothing
-    slope :: Double -> Int -> Double
-    slope v k = if k == 0 then 0 else fromIntegral k * v ^ (k - 1)
+
+data Two = Two {-# UNPACK #-} !Double {-# UNPACK #-} !Double
 
 -- | A function of one variable on an interval.
 data Curve = Curve {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !(PrimArray Double)
@@ -125,7 +132,7 @@ data Curve = Curve {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} 
 -- Chebyshev nodes. 'Nothing' if it is not accurate.
 curve :: Double -> Int -> (Double -> Double) -> Double -> Double -> Maybe Curve
 curve tolerance count f middle half
-  | remainder count (indexPrimArray samples) <= tolerance = Just (Curve middle half (transformed count samples))
+  | remainder count (indexPrimArray samples) <= tolerance = Just (Curve middle half (generatePrimArray count (\k -> times count (snd (matrices count)) k (indexPrimArray samples))))
   | otherwise = Nothing
   where
     samples = generatePrimArray count (\i -> f (middle + half * node count i))
@@ -150,55 +157,55 @@ angle count i = pi * (fromIntegral i + 0.5) / fromIntegral count
 -- | The sizes of the last two Chebyshev coefficients of the function with these values at
 -- the nodes.
 remainder :: Int -> (Int -> Double) -> Double
-remainder count value = size (count - 1) + size (count - 2)
+remainder count value = abs (row (count - 1)) + abs (row (count - 2))
   where
-    size k = 2 / fromIntegral count * abs (sum [value i * cos (fromIntegral k * angle count i) | i <- [0 .. count - 1]])
+    !matrix = fst (matrices count)
+    row k = times count matrix k value
+{-# INLINE remainder #-}
 
--- | The coefficients of the powers from the values at the nodes.
-transformed :: Int -> PrimArray Double -> PrimArray Double
-transformed count values =
-  generatePrimArray count (\k -> sum [indexPrimArray matrix (k * count + i) * indexPrimArray values i | i <- [0 .. count - 1]])
+-- | The product of a row of a square matrix with the values.
+times :: Int -> PrimArray Double -> Int -> (Int -> Double) -> Double
+times count matrix k value = go 0 0
   where
-    matrix = powersOfValues count
+    go :: Int -> Double -> Double
+    go !i !total
+      | i >= count = total
+      | otherwise = go (i + 1) (total + indexPrimArray matrix (k * count + i) * value i)
+{-# INLINE times #-}
 
--- | 'transformed' in both variables for three components.
+-- | The polynomials' coefficients, from the three components at all nodes.
 polynomials :: PrimArray Double -> PrimArray Double
-polynomials samples = runPrimArray $ do
-  result <- newPrimArray (3 * square)
-  for_ [0 .. 2] $ \component -> do
-    half <- newPrimArray square
-    for_ [0 .. nodes - 1] $ \i -> for_ [0 .. nodes - 1] $ \l ->
-      writePrimArray half (i * nodes + l) (rowTimes (\j -> indexPrimArray samples ((i * nodes + j) * 3 + component)) l)
-    halfway <- unsafeFreezePrimArray half
-    for_ [0 .. nodes - 1] $ \k -> for_ [0 .. nodes - 1] $ \l ->
-      writePrimArray result (component * square + k * nodes + l) (rowTimes (\i -> indexPrimArray halfway (i * nodes + l)) k)
-  pure result
+polynomials samples = generatePrimArray (3 * square) $ \at ->
+  let (component, place) = quotRem at square
+      (k, l) = quotRem place nodes
+   in times nodes matrix k (\i -> indexPrimArray along ((component * nodes + i) * nodes + l))
   where
-    rowTimes :: (Int -> Double) -> Int -> Double
-    rowTimes value k = go 0 0
-      where
-        go :: Int -> Double -> Double
-        go !i !total
-          | i >= nodes = total
-          | otherwise = go (i + 1) (total + indexPrimArray patchMatrix (k * nodes + i) * value i)
-    {-# INLINE rowTimes #-}
+    !matrix = snd (matrices nodes)
+    -- Powers of y at the nodes of x.
+    !along = generatePrimArray (3 * square) $ \at ->
+      let (component, place) = quotRem at square
+          (i, l) = quotRem place nodes
+       in times nodes matrix l (\j -> indexPrimArray samples ((i * nodes + j) * 3 + component))
 
-patchMatrix :: PrimArray Double
-patchMatrix = powersOfValues nodes
-{-# NOINLINE patchMatrix #-}
+-- | The matrices that turn values at the nodes into coefficients of the Chebyshev
+-- polynomials and of the powers, row by row.
+matrices :: Int -> (PrimArray Double, PrimArray Double)
+matrices count
+  | count == nodes = patchMatrices
+  | otherwise = matricesOf count
 
--- | The matrix that turns values at the nodes into coefficients of the powers, row by row.
-powersOfValues :: Int -> PrimArray Double
-powersOfValues count =
-  primArrayFromList
-    [ sum [c !! k * weight m * cos (fromIntegral m * angle count i) | (m, c) <- zip [0 :: Int ..] chebyshev, k < length c]
-      | k <- [0 .. count - 1],
-        i <- [0 .. count - 1]
-    ]
+patchMatrices :: (PrimArray Double, PrimArray Double)
+patchMatrices = matricesOf nodes
+{-# NOINLINE patchMatrices #-}
+
+matricesOf :: Int -> (PrimArray Double, PrimArray Double)
+matricesOf count = (primArrayFromList (concat ofChebyshev), primArrayFromList (concat ofPowers))
   where
-    weight m = (if m == 0 then 1 else 2) / fromIntegral count
+    ofChebyshev = [[(if m == 0 then 1 else 2) / fromIntegral count * cos (fromIntegral m * angle count i) | i <- places] | m <- places]
+    ofPowers = [[sum [c !! k * row !! i | (c, row) <- zip chebyshev ofChebyshev, k < length c] | i <- places] | k <- places]
+    places = [0 .. count - 1]
     -- The Chebyshev polynomials by powers.
-    chebyshev = take count (map fst (iterate (\(t, next) -> (next, minus (0 : map (2 *) next) t)) ([1], [0, 1])))
+    chebyshev = map fst (iterate (\(t, next) -> (next, minus (0 : map (2 *) next) t)) ([1], [0, 1]))
     minus (p : ps) (q : qs) = (p - q) : minus ps qs
     minus ps [] = ps
     minus [] qs = map negate qs

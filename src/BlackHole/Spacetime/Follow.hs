@@ -94,7 +94,10 @@ tracingNeedsTable traced = case (tracingMethod traced, tracingSpacetime traced) 
 follow :: Tracing -> Region -> Double -> SightLine -> (a -> PathSegment -> Continue a) -> a -> Followed a
 follow traced@(Tracing space method table _ _) region phase sight gather initial = case sight of
   RotatingSight hole azimuth ray ->
-    let path = kerrPath hole azimuth ray
+    let path = kerrPathWith precision hole azimuth ray
+        precision = case method of
+          ByTable -> PicturePrecision
+          _ -> FullPrecision
      in followKerr hole region phase path (rotatingFate traced path azimuth ray) ray gather initial
   SightLine photon _ -> case method of
     ByTable -> followTable space table region phase photon gather initial
@@ -179,7 +182,7 @@ pathDeflection traced sight = case sight of
 -- | @skyJacobian tracing beside sight direction@ are the derivatives of the direction in
 -- which a line of sight escapes with respect to the two components of an offset, where
 -- @beside@ is the line of sight at an offset from the same position. 'Nothing' where
--- neither a table ('lensChanges', 'tabulatedChange') nor differences towards both sides
+-- neither a table ('lensChanges', 'tabulatedChanges') nor differences towards both sides
 -- offer them.
 skyJacobian :: Tracing -> (XY -> Maybe SightLine) -> SightLine -> XYZ -> Maybe LensChanges
 skyJacobian traced beside sight direction = case (tracingSpacetime traced, sight) of
@@ -192,8 +195,7 @@ skyJacobian traced beside sight direction = case (tracingSpacetime traced, sight
     | Just table <- tracingSkyTable traced,
       Just (RotatingSight _ _ right) <- beside (XY 0.01 0),
       Just (RotatingSight _ _ below) <- beside (XY 0 0.01),
-      Just alongX <- tabulatedChange table azimuth ray right,
-      Just alongY <- tabulatedChange table azimuth ray below ->
+      Just (LensChanges alongX alongY) <- tabulatedChanges table azimuth ray right below ->
       Just (LensChanges ((1 / 0.01) *^ alongX) ((1 / 0.01) *^ alongY))
   (_, RotatingSight {})
     | Just right <- beside (XY 1e-3 0) >>= escape,

@@ -51,11 +51,11 @@ spec = do
         (Nothing, _) -> counterexample "no line of sight" False
   prop "the plane's own light does not cross it" $
     forAll ((,) <$> inRange 1.1 40 <*> inRange 0 6.2) $ \(r, angle) ->
-      fmap (planeCrossings (tracing Schwarzschild InClosedForm r)) (sightLine Schwarzschild Static (XYZ r 0 0) (XYZ (cos angle) 0 (sin angle)))
+      fmap (planeCrossings (tracing Schwarzschild InClosedForm (XYZ r 0 0))) (sightLine Schwarzschild Static (XYZ r 0 0) (XYZ (cos angle) 0 (sin angle)))
         === Just []
   where
     place ray = map ($ ray) [rayCameraRadius, rayInclination, rayPsi, rayEta]
-    straight = tracing Flat InClosedForm 1
+    straight = tracing Flat InClosedForm (XYZ 1 0 0)
     compared limit shiftLimit method ray = forM_ (rayCrossing ray) $ \expected ->
       case drop (crossingNumber expected - 1) (crossings method ray) of
         PlaneCrossing r azimuth (Just shift) : _ -> do
@@ -68,7 +68,7 @@ spec = do
 -- | The crossings of a reference ray.
 crossings :: Method -> Ray -> [PlaneCrossing (Maybe Redshift)]
 crossings method ray = case sightLine Schwarzschild Static (rayCameraRadius ray *^ outward) direction of
-  Just sight -> [crossingRedshift (gasFlow Schwarzschild) sight c <$ c | c <- planeCrossings (tracing Schwarzschild method (rayCameraRadius ray)) sight]
+  Just sight -> [crossingRedshift (gasFlow Schwarzschild) sight c <$ c | c <- planeCrossings (tracing Schwarzschild method (XYZ (rayCameraRadius ray) 0 0)) sight]
   Nothing -> []
   where
     radians degrees = degrees * pi / 180

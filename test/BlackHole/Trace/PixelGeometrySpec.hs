@@ -15,6 +15,7 @@ import BlackHole.Spacetime.Types
 import BlackHole.Trace.PixelGeometry
 import BlackHole.Trace.Tracer
 import BlackHole.Vector.XY (XY (..))
+import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ
 import Control.Monad (forM_, void)
 import Data.List (find)
@@ -83,7 +84,7 @@ spec = do
       _ -> pure []
     againstCrossings scene look traced pixel = do
       let inDisk crossing = maybe False (\disk -> crossingRadius crossing >= diskInnerRadius disk && crossingRadius crossing <= diskOuterRadius disk) (sceneDisk scene)
-          closed = tracing (sceneSpacetime scene) InClosedForm 1
+          closed = tracing (sceneSpacetime scene) InClosedForm (XYZ 1 0 0)
           expected = tracedSight traced (middle pixel) >>= find inDisk . planeCrossings closed
       case (geometryDiskHit (uncurry look pixel), expected) of
         (Just (PlaneCrossing r _ g), Just crossing) -> do

@@ -26,9 +26,10 @@ module BlackHole.Spacetime.Kerr.Latitude
   )
 where
 
-import BlackHole.Numeric.Elliptic
+import BlackHole.Numeric.Angle (arcTangent2)
+import BlackHole.Numeric.Periodic
 import BlackHole.Spacetime.Kerr.Landmarks
-import BlackHole.Spacetime.Kerr.Quadrature
+import BlackHole.Spacetime.Kerr.Precision
 import BlackHole.Spacetime.Kerr.Sight
 
 -- | The motion in latitude of one ray.
@@ -38,16 +39,14 @@ data Latitude = Latitude
     _latitudeSpin2 :: {-# UNPACK #-} !Double,
     -- | u₊, the greatest cos θ.
     _latitudeReach :: {-# UNPACK #-} !Double,
-    -- | B = √(A₀² + a²) and cos ι = λ/B.
-    _latitudeB :: {-# UNPACK #-} !Double,
+    -- | cos ι = λ/B with B = √(A₀² + a²).
     _latitudeCosIota :: {-# UNPACK #-} !Double,
-    -- | √(A₀² + a² u₊²), the rate of the elliptic argument.
-    _latitudeRate :: {-# UNPACK #-} !Double,
-    _latitudeModulus :: !Modulus,
-    _latitudeComplement :: {-# UNPACK #-} !Double,
+    -- | The Mino time and Φ_θ as functions of the phase, from the phase 0 on.
+    _latitudeTime :: !Periodic,
+    _latitudePrecession :: Periodic,
     _latitudeStart :: !Phase,
-    -- | The elliptic argument at the start.
-    _latitudeArgument :: {-# UNPACK #-} !Double
+    -- | The Mino time since the phase 0 at the start.
+    _latitudeStartTime :: {-# UNPACK #-} !Double
   }
 
 -- | χ, with its sine and cosine: near a pole χ itself would not keep the digits
@@ -61,12 +60,12 @@ data Phase = Phase
 
 -- | The motion in latitude of a ray. 'Nothing' if it does not oscillate about the
 -- plane (η < 0), or so close to the boundary of that case (elliptic parameter
--- beyond ½) that the quadrature of 'precession' would lose digits; light that
--- escapes the hole has a parameter below 0.07.
-latitude :: Spin -> LightRay -> Maybe Latitude
-latitude hole ray
+-- beyond ½) that the Fourier series would lose digits; light that escapes the hole has a
+-- parameter below 0.07.
+latitude :: Precision -> Spin -> LightRay -> Maybe Latitude
+latitude precision hole ray
   | parameter <= 0.5 =
-    Just (Latitude base2 a2 reach b (rayLambda ray / b) rate prepared complement start argument)
+    Just (Latitude base2 a2 reach (rayLambda ray / b) times (periodicIntegral terms precessing) start (timeOf times start))
   | otherwise = Nothing
   where
     a2 = spinLength hole * spinLength hole
@@ -83,32 +82,60 @@ latitude hole ray
     reach2 = eta / base2
     reach = sqrt reach2
     b = sqrt (base2 + a2)
-    rate = sqrt (base2 + a2 * reach2)
-    parameter = a2 * reach2 / (base2 + a2 * reach2)
-    complement = base2 / (base2 + a2 * reach2)
-    prepared = modulus complement
+    swing = a2 * reach2
+    parameter = swing / (base2 + swing)
+    -- The coefficients fall at least by the factor 0.03 for a parameter of 0.1, and by
+    -- 0.17 for one of ½.
+    terms
+      | parameter > 0.1 = resolution20
+      | otherwise = case precision of
+        FullPrecision -> resolution10
+        PicturePrecision -> resolution6
+    times = periodicIntegral terms (\sine2 -> 1 / sqrt (base2 + swing * sine2))
+    precessing sine2 =
+      let speed = sqrt (base2 + swing * sine2)
+       in a2 * rayLambda ray / (b * (b + speed) * speed)
     u = rayCosine ray
     rise = negate (raySine ray * rayPolarRate ray) / sqrt (base2 + a2 * u * u)
     size = sqrt (u * u + rise * rise)
     start
-      | size > 0 = Phase (atan2 u rise) (u / size) (rise / size)
+      | size > 0 = Phase (arcTangent2 u rise) (u / size) (rise / size)
       | otherwise = Phase 0 0 1
-    argument = incompleteF complement (phaseAngle start + 0.5 * pi)
 
--- | Where the ray starts, at the observer; its angle is in (−π, π].
+resolution6, resolution10, resolution20 :: Resolution
+resolution6 = resolution 6
+resolution10 = resolution 10
+resolution20 = resolution 20
+{-# NOINLINE resolution6 #-}
+{-# NOINLINE resolution10 #-}
+{-# NOINLINE resolution20 #-}
+
+timeOf :: Periodic -> Phase -> Double
+timeOf times (Phase angle s c) = integralTo times angle s c
+
+-- | Where the ray starts, at the observer; its angle is in [−π, π].
 phaseAtStart :: Latitude -> Phase
 phaseAtStart = _latitudeStart
 
--- | The phase after a Mino time.
+-- | The phase after a Mino time, by Newton's method.
 phaseAfter :: Latitude -> Double -> Phase
-phaseAfter l time = Phase angle (negate cn) sn
+phaseAfter l time = go (8 :: Int) (target / integralPerRadian times)
   where
-    argument = _latitudeArgument l + _latitudeRate l * time
-    Jacobi sn cn _ = jacobi (_latitudeModulus l) argument
-    -- The amplitude, of which sine and cosine are sn and cn: on its half turn.
-    halfTurns = fromIntegral (round (argument / (2 * quarterPeriod (_latitudeModulus l))) :: Int)
-    sign = if even (round halfTurns :: Int) then 1 else -1
-    angle = pi * halfTurns + atan2 (sign * sn) (sign * cn) - 0.5 * pi
+    times = _latitudeTime l
+    target = _latitudeStartTime l + time
+    go rounds angle
+      | rounds <= 0 || not (abs change > 1e-9) = Phase angle' (sin angle') (cos angle')
+      | otherwise = go (rounds - 1) angle'
+      where
+        phase = Phase angle (sin angle) (cos angle)
+        change = (target - timeOf times phase) * phaseSpeed l phase
+        angle' = angle + change
+
+-- | χ' at a phase.
+phaseSpeed :: Latitude -> Phase -> Double
+phaseSpeed l phase = sqrt (_latitudeBase2 l + _latitudeSpin2 l * u * u)
+  where
+    u = phaseCosine l phase
 
 -- | The Mino times at which the ray crosses the plane, from the first after the
 -- start on: an infinite list with equal steps. A start in the plane does not
@@ -119,26 +146,24 @@ planeCrossingTimes l
   | otherwise = [(time k, Phase (pi * k) 0 (if even (round k :: Int) then 1 else -1)) | k <- iterate (+ 1) first]
   where
     first = fromIntegral (floor (phaseAngle (_latitudeStart l) / pi + 1e-12) + 1 :: Int) :: Double
-    time k =
-      (incompleteF (_latitudeComplement l) (pi * k + 0.5 * pi) - _latitudeArgument l) / _latitudeRate l
+    time k = pi * k * integralPerRadian (_latitudeTime l) - _latitudeStartTime l
 
 -- | @timesNearPlane latitude c@: the Mino times between which @|cos θ| ≤ c@, from the
 -- first such interval that ends after the start, in order and without end.
 timesNearPlane :: Latitude -> Double -> [(Double, Double)]
 timesNearPlane l limit
   | _latitudeReach l <= limit = [(0, 1 / 0)]
-  | otherwise = [(max 0 (timeAt (pi * k - width)), timeAt (pi * k + width)) | k <- iterate (+ 1) first]
+  | otherwise = [(max 0 (crossing k - half), crossing k + half) | k <- iterate (+ 1) first]
   where
-    width = asin (limit / _latitudeReach l)
+    sine = limit / _latitudeReach l
+    width = asin sine
+    half = timeOf (_latitudeTime l) (Phase width sine (sqrt ((1 - sine) * (1 + sine))))
     first = fromIntegral (ceiling ((phaseAngle (_latitudeStart l) - width) / pi) :: Int) :: Double
-    timeAt chi =
-      (incompleteF (_latitudeComplement l) (chi + 0.5 * pi) - _latitudeArgument l) / _latitudeRate l
+    crossing k = pi * k * integralPerRadian (_latitudeTime l) - _latitudeStartTime l
 
 -- | d(cos θ)\/dτ at a phase.
 phaseRate :: Latitude -> Phase -> Double
-phaseRate l phase = _latitudeReach l * phaseCosineOf phase * sqrt (_latitudeBase2 l + _latitudeSpin2 l * u * u)
-  where
-    u = phaseCosine l phase
+phaseRate l phase = _latitudeReach l * phaseCosineOf phase * phaseSpeed l phase
 
 -- | cos θ at a phase.
 phaseCosine :: Latitude -> Phase -> Double
@@ -154,16 +179,6 @@ greatCircle l phase = (phaseCosineOf phase, _latitudeCosIota l * phaseSine phase
 precession :: Latitude -> Phase -> Double
 precession l phase
   | _latitudeSpin2 l == 0 = 0
-  | otherwise = integrate panels rate (phaseAngle (_latitudeStart l)) (phaseAngle phase)
+  | otherwise = at phase - at (_latitudeStart l)
   where
-    panels = 1 + floor ((phaseAngle phase - phaseAngle (_latitudeStart l)) / width)
-    a2 = _latitudeSpin2 l
-    -- The integrand's nearest singularity has an imaginary part of
-    -- asinh (A₀ / (a u₊)): 2 for light that escapes a fast hole, 0.9 at the bound.
-    width
-      | a2 * _latitudeReach l * _latitudeReach l < 0.1 * _latitudeBase2 l = pi
-      | otherwise = 0.5 * pi
-    rate chi =
-      let u = _latitudeReach l * sin chi
-          speed = sqrt (_latitudeBase2 l + a2 * u * u)
-       in a2 * _latitudeCosIota l / ((_latitudeB l + speed) * speed)
+    at (Phase angle s c) = integralTo (_latitudePrecession l) angle s c

@@ -6,6 +6,8 @@
 module BlackHole.Spacetime.Kerr.Path
   ( KerrPath,
     kerrPath,
+    kerrPathWith,
+    Precision (..),
     kerrFate,
     kerrMinoTime,
     KerrPoint (..),
@@ -19,10 +21,12 @@ module BlackHole.Spacetime.Kerr.Path
   )
 where
 
+import BlackHole.Numeric.Angle (arcTangent2)
 import BlackHole.Spacetime.Fate
 import BlackHole.Spacetime.Kerr.Landmarks
 import BlackHole.Spacetime.Kerr.Latitude
 import BlackHole.Spacetime.Kerr.PowerSeries
+import BlackHole.Spacetime.Kerr.Precision
 import BlackHole.Spacetime.Kerr.Radial
 import BlackHole.Spacetime.Kerr.Sight
 import BlackHole.Vector.XYZ (XYZ (..))
@@ -68,13 +72,17 @@ data KerrPoint = KerrPoint
 
 -- | The angle that a straight line would sweep from the start of a ray to infinity.
 kerrStraightAngle :: LightRay -> Double
-kerrStraightAngle ray = atan2 (rayRadius ray * sqrt (turning * turning + rayPolarRate ray * rayPolarRate ray)) (rayRadialRate ray)
+kerrStraightAngle ray = arcTangent2 (rayRadius ray * sqrt (turning * turning + rayPolarRate ray * rayPolarRate ray)) (rayRadialRate ray)
   where
     turning = rayLambda ray / raySine ray
 
 -- | The path of a ray from an observer at an azimuth.
 kerrPath :: Spin -> Azimuth -> LightRay -> KerrPath
-kerrPath hole azimuth ray = case (radial hole ray, latitude hole ray) of
+kerrPath = kerrPathWith FullPrecision
+
+-- | 'kerrPath' with a choice of precision.
+kerrPathWith :: Precision -> Spin -> Azimuth -> LightRay -> KerrPath
+kerrPathWith precision hole azimuth ray = case (radial precision hole ray, latitude precision hole ray) of
   (Just r, Just l) -> closedPath hole azimuth ray r l
   _ -> seriesOnly hole azimuth ray
 
@@ -108,7 +116,7 @@ closedPath hole azimuth ray r l =
     lambda = rayLambda ray
     kappa = rayKappa ray
     inside = rayRadius ray <= horizonRadius hole
-    pointAt t phase = KerrPoint radius (phaseCosine l phase) (atan2 x z - correction) (stateGrows state)
+    pointAt t phase = KerrPoint radius (phaseCosine l phase) (arcTangent2 x z - correction) (stateGrows state)
       where
         state = stateAfter r t
         radius = stateRadius state
@@ -117,14 +125,13 @@ closedPath hole azimuth ray r l =
     -- From inside the horizon light comes in the ingoing azimuth, which has no
     -- pole on its way.
     turned phase state
-      | inside = against (start + atan2 s0 c0 - precession l phase - regularDragging regular r state) (greatCircle l phase)
-      | otherwise = against (start + atan2 s0 c0 - precession l phase - dragging drag r state) (greatCircle l phase)
+      | inside = against (start + arcTangent2 s0 c0 - precession l phase - regularDragging regular r state) (greatCircle l phase)
+      | otherwise = against (start + arcTangent2 s0 c0 - precession l phase - dragging hole lambda r state) (greatCircle l phase)
     start = case azimuth of
       Ingoing phi | not inside -> phi - ingoingLead hole (rayRadius ray)
       Ingoing phi -> phi
       BoyerLindquist phi -> phi
     (c0, s0) = greatCircle l (phaseAtStart l)
-    drag q = a * (q - a * lambda) / ((q - horizonRadius hole) * (q - innerHorizonRadius hole))
     regular q = a * kappa / (q * q + a * (a - lambda) + sqrt (max 0 (radialPotential hole ray q))) - a
 
 seriesOnly :: Spin -> Azimuth -> LightRay -> KerrPath
@@ -156,7 +163,7 @@ seriesOnly hole azimuth ray =
       Ingoing phi -> phi - 2 * ingoingLead hole (rayRadius ray)
       BoyerLindquist phi -> phi + regular (rayRadius ray)
     turned point = let (c, s) = seriesHorizontal point in against (start - seriesFrame point) (c, negate s)
-    pointAt t = KerrPoint r (seriesCosine point) (atan2 x z - (if r > horizonRadius hole then regular r else 0)) outward
+    pointAt t = KerrPoint r (seriesCosine point) (arcTangent2 x z - (if r > horizonRadius hole then regular r else 0)) outward
       where
         point = seriesPoint path t
         r = seriesRadius point

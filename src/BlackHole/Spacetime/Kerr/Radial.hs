@@ -1,3 +1,5 @@
+{-# LANGUAGE BangPatterns #-}
+
 -- | The radial motion of light around a Kerr hole, in closed form.
 --
 -- In Mino time @(dr\/dτ)² = R(r) = r⁴ + c₂r² + κr − a²η@, with
@@ -28,8 +30,10 @@ module BlackHole.Spacetime.Kerr.Radial
   )
 where
 
+import BlackHole.Numeric.Angle (arcTangent2)
 import BlackHole.Numeric.Elliptic
 import BlackHole.Spacetime.Kerr.Landmarks
+import BlackHole.Spacetime.Kerr.Precision
 import BlackHole.Spacetime.Kerr.Quadrature
 import BlackHole.Spacetime.Kerr.Sight
 
@@ -38,19 +42,21 @@ data Radial = Radial
   { _radialShape :: !Shape,
     _radialRate :: {-# UNPACK #-} !Double,
     _radialComplement :: {-# UNPACK #-} !Double,
-    _radialModulus :: !Modulus,
+    -- | Computed at its first use, like the end.
+    _radialModulus :: Modulus,
     -- | The elliptic argument at the start: negative on the way to the turning
     -- point (or towards where one would be).
     _radialStart :: {-# UNPACK #-} !Double,
     -- | The elliptic argument at the end.
-    _radialStop :: {-# UNPACK #-} !Double,
+    _radialStop :: Double,
     _radialEnd :: !RadialEnd,
     -- | The variable @v@ at the start, at the end, and at the horizon on the way
     -- outwards (infinite if the ray keeps away from it).
     _radialStartV :: {-# UNPACK #-} !Double,
-    _radialStopV :: {-# UNPACK #-} !Double,
-    _radialPole :: {-# UNPACK #-} !Double,
-    _radialStartRadius :: {-# UNPACK #-} !Double
+    _radialStopV :: Double,
+    _radialPole :: Double,
+    _radialStartRadius :: {-# UNPACK #-} !Double,
+    _radialPrecision :: !Precision
   }
 
 -- | How the radius depends on the elliptic argument.
@@ -128,8 +134,8 @@ rootsOf hole ray =
 -- | The radial motion of a ray, and the Mino time until it ends (infinite for a
 -- ray that approaches a photon orbit for ever, in every bit). 'Nothing' if no
 -- root is real, which needs η < 0.
-radial :: Spin -> LightRay -> Maybe Radial
-radial hole ray
+radial :: Precision -> Spin -> LightRay -> Maybe Radial
+radial precision hole ray
   | upper >= 0 && lower >= 0 =
     let half = sqrt upper
         other = sqrt lower
@@ -176,7 +182,8 @@ radial hole ray
           _radialPole = case shape of
             Outer {} | turns -> 1 / 0
             _ -> snd (position horizon),
-          _radialStartRadius = r0
+          _radialStartRadius = r0,
+          _radialPrecision = precision
         }
       where
         position = argumentAt complement shape
@@ -205,7 +212,7 @@ ferrari c2 kappa c0 = sqrt (max 0 (0.5 * omegas - c2 / 6))
         let big = cubeRoot (negate (0.5 * q) + (if q <= 0 then 1 else -1) * sqrt discriminant)
          in if big == 0 then 0 else big - p / (3 * big)
       | otherwise =
-        2 * sqrt (negate p / 3) * cos (atan2 (sqrt (negate discriminant)) (negate (0.5 * q)) / 3)
+        2 * sqrt (negate p / 3) * cos (arcTangent2 (sqrt (negate discriminant)) (negate (0.5 * q)) / 3)
     cubeRoot x = signum x * abs x ** (1 / 3)
 
 -- | The elliptic argument and the variable @v@ at a radius, both as if on the way
@@ -273,64 +280,65 @@ timeWithin radius limit
 
 -- | The radius after a Mino time within the motion.
 stateAfter :: Radial -> Double -> RadialState
-stateAfter radius time = RadialState (radiusAt shape (abs' v)) grows v
+stateAfter radius time = case shape of
+  Single _ _ _ _ root ->
+    let sine = negate (cn / (abs sn * root))
+     in RadialState (radiusAt shape sine) (x > 0) (signum x * asinh sine)
+  Inner {} -> RadialState (radiusAt shape (sn / cn)) (x < 0) (asinh (sn / cn))
+  Outer {} -> RadialState (radiusAt shape (sn / cn)) (x > 0) (asinh (sn / cn))
   where
     shape = _radialShape radius
     x = _radialStart radius + _radialRate radius * time
     Jacobi sn cn _ = jacobi (_radialModulus radius) x
-    grows = case shape of
-      Inner {} -> x < 0
-      _ -> x > 0
-    v = case shape of
-      Single _ _ _ _ root -> signum x * negate (asinh (cn / (abs sn * root)))
-      _ -> asinh (sn / cn)
-    abs' = case shape of
-      Single {} -> (signum x *)
-      _ -> id
 
 -- | The state in which the motion ends; its radius is infinite at infinity.
 stateAtEnd :: Radial -> RadialState
 stateAtEnd radius = RadialState (1 / 0) True (_radialStopV radius)
 
--- | The radius as a function of the outward variable @v@.
+-- | The radius as a function of the hyperbolic sine of the outward variable @v@.
 radiusAt :: Shape -> Double -> Double
-radiusAt shape v = case shape of
+radiusAt shape s = case shape of
   Outer r1 _ r3 r4 -> r4 + (r4 - r1) * (r4 - r3) * s2 / ((r3 - r1) - (r4 - r3) * s2)
   Inner _ r2 r3 r4 -> ((r4 - r2) * r3 + s2 * (r4 - r3) * r2) / ((r4 - r2) + s2 * (r4 - r3))
   Single r1 r2 a1 b1 root ->
-    let h = root * sinh v
+    let h = root * s
         t = if h < 0 then 1 / (sqrt (1 + h * h) - h) else sqrt (1 + h * h) + h
      in (b1 * r2 - a1 * t * t * r1) / (b1 - a1 * t * t)
   where
-    s = sinh v
     s2 = s * s
+{-# INLINE radiusAt #-}
 
--- | @dragging rate radius state@: the integral over Mino time of a function of the
--- radius from the start to a state, for a ray that starts outside the horizon. The
--- function may have a pole at the horizon and has no other singularity outside.
-dragging :: (Double -> Double) -> Radial -> RadialState -> Double
-dragging rate radius = alongRadius toHorizon rate radius
+-- | Φ_r: the integral over Mino time of @a (r − aλ) \/ Δ@ from the start to a state, for a
+-- ray with this λ that starts outside the horizon.
+dragging :: Spin -> Double -> Radial -> RadialState -> Double
+dragging hole lambda radius = alongRadius toHorizon rate radius
   where
+    !a = spinLength hole
+    !outer = horizonRadius hole
+    !inner = innerHorizonRadius hole
+    rate r = a * (r - a * lambda) / ((r - outer) * (r - inner))
     toHorizon v = case _radialShape radius of
       Single {} | _radialStart radius < 0 -> abs (v + _radialPole radius)
       Single {} -> abs (v - _radialPole radius)
       _ -> abs (abs v - _radialPole radius)
 
--- | 'dragging' of a function without a pole, for a ray that may start inside the
--- horizon.
+-- | The integral of a function of the radius without a pole, for a ray that may start
+-- inside the horizon.
 regularDragging :: (Double -> Double) -> Radial -> RadialState -> Double
 regularDragging = alongRadius (const (1 / 0))
 
 alongRadius :: (Double -> Double) -> (Double -> Double) -> Radial -> RadialState -> Double
 alongRadius toPole rate radius state =
-  integrateBeside toPole integrand (_radialStartV radius) (stateV state) / _radialRate radius
+  integrateBeside (_radialPrecision radius) toPole integrand (_radialStartV radius) (stateV state) / _radialRate radius
   where
-    shape = _radialShape radius
+    !shape = _radialShape radius
+    !complement = _radialComplement radius
     -- Where there is no turning point, v runs backwards on the way in.
-    outward = case shape of
-      Single {} | _radialStart radius < 0 -> negate
-      _ -> id
-    integrand v =
-      let e = exp v
-          s = 0.5 * (e - 1 / e)
-       in rate (radiusAt shape (outward v)) / sqrt (1 + _radialComplement radius * s * s)
+    !outward = case shape of
+      Single {} | _radialStart radius < 0 -> -0.5
+      _ -> 0.5
+    integrand e =
+      let s = outward * (e - 1 / e)
+       in rate (radiusAt shape s) / sqrt (1 + complement * s * s)
+    {-# INLINE integrand #-}
+{-# INLINE alongRadius #-}

@@ -24,19 +24,21 @@ module BlackHole.Spacetime.Kerr.SkyTable
     skyTable,
     tableServes,
     tabulatedFate,
-    tabulatedChange,
+    tabulatedChanges,
     tabulatedOffset,
   )
 where
 
 import BlackHole.Numeric.Angle (arcTangent2, quarterTangent)
 import BlackHole.Numeric.Bisection (bisect)
+import BlackHole.Numeric.Floor (turnFraction)
 import BlackHole.Numeric.Patch
 import BlackHole.Spacetime.Fate
 import BlackHole.Spacetime.Kerr.Landmarks
 import BlackHole.Spacetime.Kerr.Path
 import BlackHole.Spacetime.Kerr.Radial (lightEscapes)
 import BlackHole.Spacetime.Kerr.Sight
+import BlackHole.Spacetime.Schwarzschild.LensDifferential (LensChanges (..))
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
 import Data.Primitive.Array (Array, arrayFromListN, indexArray, sizeofArray)
 
@@ -73,7 +75,7 @@ skyTable hole place
         | otherwise -> NoSector
     escape edge x epsilon = do
       ray <- rayTowards hole place (curveValue edge epsilon * (1 - exp (negate x))) epsilon
-      case kerrFate (kerrPath hole (BoyerLindquist 0) ray) of
+      case kerrFate (kerrPathWith PicturePrecision hole (BoyerLindquist 0) ray) of
         Escaped direction -> Just direction
         _ -> Nothing
 
@@ -195,18 +197,20 @@ tabulatedFate table azimuth ray = case find table ray of
     Nothing -> Nothing
   NotTabulated -> Nothing
 
--- | @tabulatedChange table azimuth ray neighbour@ is the first-order change of the direction
--- of escape from a ray towards a close neighbour from the same observer; 'Nothing' where
--- the closed form is needed.
-tabulatedChange :: SkyTable -> Azimuth -> LightRay -> LightRay -> Maybe XYZ
-tabulatedChange table azimuth ray neighbour = case (find table ray, find table neighbour) of
-  (OnPatch known x epsilon, OnPatch _ x' epsilon')
+-- | @tabulatedChanges table azimuth ray neighbour neighbour@ are the first-order changes of
+-- the direction of escape from a ray towards two close neighbours from the same observer;
+-- 'Nothing' where the closed form is needed.
+tabulatedChanges :: SkyTable -> Azimuth -> LightRay -> LightRay -> LightRay -> Maybe LensChanges
+tabulatedChanges table azimuth ray neighbour1 neighbour2 = case find table ray of
+  OnPatch known x epsilon
     -- The angle around the pole is no good variable beside it.
     | x > 1e-3,
+      OnPatch _ x1 epsilon1 <- find table neighbour1,
+      OnPatch _ x2 epsilon2 <- find table neighbour2,
       Just (Changing alongX alongEpsilon) <- patchChange known x epsilon ->
-      let turn = epsilon' - epsilon
-          shorter = turn - 2 * pi * fromIntegral (round (turn / (2 * pi)) :: Int)
-       in Just $! turnedBy table azimuth ((x' - x) *^ alongX ^+^ shorter *^ alongEpsilon)
+      let towards x' epsilon' =
+            turnedBy table azimuth ((x' - x) *^ alongX ^+^ (2 * pi * turnFraction ((epsilon' - epsilon) / (2 * pi))) *^ alongEpsilon)
+       in Just $! LensChanges (towards x1 epsilon1) (towards x2 epsilon2)
   _ -> Nothing
 
 -- | The difference between the parameter @w@ of a ray and that of the edge of the shadow:
