@@ -129,7 +129,7 @@ data Two = Two {-# UNPACK #-} !Double {-# UNPACK #-} !Double
 data Curve = Curve {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !(PrimArray Double)
 
 -- | @curve tolerance n f middle half@ is the polynomial through the values at @n@
--- Chebyshev nodes. 'Nothing' if it is not accurate.
+-- Chebyshev nodes, an even number. 'Nothing' if it is not accurate.
 curve :: Double -> Int -> (Double -> Double) -> Double -> Double -> Maybe Curve
 curve tolerance count f middle half
   | remainder count (indexPrimArray samples) <= tolerance = Just (Curve middle half (generatePrimArray count (\k -> times count (snd (matrices count)) k (indexPrimArray samples))))
@@ -139,13 +139,15 @@ curve tolerance count f middle half
 
 -- | The value of the function at a point of the interval.
 curveValue :: Curve -> Double -> Double
-curveValue (Curve middle half coefficients) x = go (sizeofPrimArray coefficients - 1) 0
+curveValue (Curve middle half coefficients) x = go (sizeofPrimArray coefficients - 2) 0 0
   where
     !t = (x - middle) / half
-    go :: Int -> Double -> Double
-    go !k !total
-      | k < 0 = total
-      | otherwise = go (k - 1) (total * t + indexPrimArray coefficients k)
+    !t2 = t * t
+    -- Even and odd powers apart, which do not wait for each other.
+    go :: Int -> Double -> Double -> Double
+    go !k !even' !odd'
+      | k < 0 = even' + t * odd'
+      | otherwise = go (k - 2) (even' * t2 + indexPrimArray coefficients k) (odd' * t2 + indexPrimArray coefficients (k + 1))
 
 -- | Chebyshev nodes in (−1, 1).
 node :: Int -> Int -> Double

@@ -129,7 +129,7 @@ planeCrossings traced sight = case sight of
   SightLine photon observed -> maybe (leapfrogCrossings traced sight photon) trajectoryCrossings (planarTrajectory traced observed photon)
 
 rotatingCrossing :: Spin -> LightRay -> KerrPoint -> PlaneCrossing (Maybe Momentum)
-rotatingCrossing hole ray (KerrPoint r _ azimuth grows) = PlaneCrossing r (wrappedAngle (0.5 * pi - azimuth)) momentum
+rotatingCrossing hole ray (KerrPoint r _ azimuth grows _) = PlaneCrossing r (wrappedAngle (0.5 * pi - azimuth)) momentum
   where
     radial = sqrt (max 0 (radialPotential hole ray r)) / kerrDelta hole r
     momentum

@@ -173,7 +173,7 @@ data EyeKind
 
 -- | An observer near a rotating hole: motion and position, with the unit vectors of
 -- increasing polar angle and azimuth.
-data Rotating = Rotating !Spin !Motion !Place !Azimuth !XYZ !XYZ
+data Rotating = Rotating !Spin !Seer !Azimuth !XYZ !XYZ
 
 -- | Prepares an observer at a position for 'sightFrom'.
 eye :: Spacetime -> Observer -> XYZ -> Eye
@@ -194,8 +194,7 @@ rotating :: Spin -> Motion -> XYZ -> Rotating
 rotating hole motion place@(XYZ x _ z) =
   Rotating
     hole
-    motion
-    there
+    (seer hole there motion)
     (if motion == InFreeFall then Ingoing phi else BoyerLindquist phi)
     (XYZ (cos theta * sin phi) (negate (sin theta)) (cos theta * cos phi))
     (XYZ (cos phi) 0 (negate (sin phi)))
@@ -219,9 +218,9 @@ sightFrom prepared !direction = case kind of
   Near Zamo -> static direction
   Near Orbiting -> orbiting azimuthal
   Near CounterOrbiting -> orbiting (XYZ.negated azimuthal)
-  NearRotating (Rotating hole motion at azimuth southward eastward) ->
+  NearRotating (Rotating hole rotator azimuth southward eastward) ->
     RotatingSight hole azimuth
-      <$> lightRay hole at motion (Direction (XYZ.dot radial direction) (XYZ.dot southward direction) (XYZ.dot eastward direction))
+      <$> raySeen rotator (Direction (XYZ.dot radial direction) (XYZ.dot southward direction) (XYZ.dot eastward direction))
   Near Falling -> fromEnergy (1 + infall * XYZ.dot radial direction) (direction ^+^ infall *^ radial)
   where
     -- Makes GHC pass the components of the direction one by one instead of those of the

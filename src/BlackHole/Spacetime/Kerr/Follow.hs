@@ -22,7 +22,7 @@ import BlackHole.Spacetime.Kerr.Landmarks
 import BlackHole.Spacetime.Kerr.Path
 import BlackHole.Spacetime.Kerr.Sight
 import BlackHole.Spacetime.LightPath
-import BlackHole.Spacetime.March
+import BlackHole.Spacetime.March (enclosingRadius)
 import BlackHole.Spacetime.Momentum
 import BlackHole.Vector.XYZ (XYZ (..))
 
@@ -43,42 +43,51 @@ followKerr hole region phase path fate ray gather initial
     !kappa = rayKappa ray
     !c2 = a2 - lambda * lambda - eta
     !outer = horizonRadius hole
-    !inner = innerHorizonRadius hole
+    !innerHorizon = innerHorizonRadius hole
     !wHorizon = 1 / outer
+    -- The squared angle that the ray turns per Mino time, roughly.
+    !turns2 = max 0 (eta + lambda * lambda)
+    !radius = regionRadius region
+    !inner = regionInnerRadius region
+    !height = regionHalfHeight region
+    !flare = regionFlare region
+    !longest = regionLongestStep region
+    !vertical = regionVerticalStep region
+    !core = 1 / regionCore region
     -- The greatest |cos θ| of the gas.
-    innermost = max outer (regionInnerRadius region)
-    steepest = min 1 (regionHalfHeight region / innermost + regionFlare region)
+    steepest = min 1 (height / max outer inner + flare)
     windows = kerrPassages path reach steepest
 
     passages !n [] state = finish n state
     passages !n ((from, to) : rest) state =
-      march n phase (to - from) w w' u u' (pointAzimuth point) rest state
+      march n phase (to - from) w w' u (pointCosineRate point) (turning w u) (sin azimuth) (cos azimuth) rest state
       where
-        point = kerrPoint path from
+        !point = kerrPoint path from
+        azimuth = pointAzimuth point
         !w = 1 / pointRadius point
         !w' = (if pointGrows point then negate else id) (sqrt (max 0 (1 + w * w * (c2 + w * (kappa - a2 * eta * w)))))
         !u = pointCosine point
-        !u' = kerrCosineRate path from
 
+    -- dφ/dτ along the tracing.
     turning !w !u = negate (lambda / (1 - u * u) + a * w * (1 - a * lambda * w) / (1 - w + a2 * w * w))
     {-# INLINE turning #-}
 
-    march !n !lead !left !w !w' !u !u' !phi rest state
+    march !n !lead !left !w !w' !u !u' !rate0 !sine !cosine rest state
       | left <= 1e-14 || w >= 0.999999 * wHorizon = passages n rest state
-      | insideRegion region middle = case gather state segment of
+      | rho <= radius && abs (rM * uM) <= height + flare * rho && rM >= inner = case gather state segment of
         Continue state' -> next (n + 1) state'
         Stop state' -> Followed Opaque state' (n + 1)
       | otherwise = next n state
       where
-        !r = 1 / w
-        !s2 = 1 - u * u
-        !rate0 = turning w u
-        !radial0 = negate w' * r * r
-        !across0 = r * sqrt (u' * u' / s2 + s2 * rate0 * rate0)
-        !speed0 = sqrt (radial0 * radial0 + across0 * across0)
-        !climb0 = radial0 * u + r * u'
-        !s0 = sqrt s2
-        !wanted = lead * min (0.2 * r) (marchLength region (XYZ (r * s0) (r * u) 0) (climb0 / speed0)) / speed0
+        -- The length of a step, as without spin ("BlackHole.Spacetime.Schwarzschild.GasLayer"),
+        -- but for gaps: on the way to the gas it may take most of the distance.
+        !room = max 1e-9 (height * w + flare)
+        !aside = abs u
+        !pace = sqrt (w' * w' / (w * w) + turns2)
+        !climb = abs (u' * room - u * height * w')
+        !within = max 1 (min core (aside * core / room)) / max (pace / longest) (climb / (vertical * room * room))
+        !approach = if aside > room then max within (0.8 * (aside - room) / abs u') else within
+        !wanted = lead * min (0.2 / pace) approach
         !step = if left < 1.4 * wanted then left else wanted
         !half = 0.5 * step
         !(Two wM wM') = advanced half w w' (wForce w) (wForce1 w) (wForce2 w)
@@ -88,32 +97,27 @@ followKerr hole region phase path fate ray gather initial
         !rateM = turning wM uM
         !rate1 = turning w1 u1
         -- Simpson's rule, and the parabola's integral over its first half.
-        !phiM = phi + step / 24 * (5 * rate0 + 8 * rateM - rate1)
-        !phi1 = phi + step / 6 * (rate0 + 4 * rateM + rate1)
+        !(Two sineM cosineM) = turnedBy (step / 24 * (5 * rate0 + 8 * rateM - rate1)) sine cosine
+        !(Two sine1 cosine1) = turnedBy (step / 6 * (rate0 + 4 * rateM + rate1)) sine cosine
         !rM = 1 / wM
         !sM = sqrt (1 - uM * uM)
-        !sine = sin phiM
-        !cosine = cos phiM
-        middle = XYZ (rM * sM * sine) (rM * uM) (rM * sM * cosine)
+        !rho = rM * sM
         -- Rates with respect to Mino time.
         radialRate = negate wM' * rM * rM
-        vertical = radialRate * uM + rM * uM'
+        climbing = radialRate * uM + rM * uM'
         horizontal = radialRate * sM - rM * uM * uM' / sM
-        around = rM * sM * rateM
-        p = rM * rM + a * (a - lambda)
-        delta = (rM - outer) * (rM - inner)
-        radialMomentum = sqrt (max 0 (p * p - delta * kappa)) / delta
+        around = rho * rateM
         segment =
           PathSegment
-            { segmentMiddle = middle,
+            { segmentMiddle = XYZ (rho * sineM) (rM * uM) (rho * cosineM),
               segmentRadius = rM,
               segmentAffineLength = step * (rM * rM + a2 * uM * uM),
-              segmentLength = step * sqrt (horizontal * horizontal + vertical * vertical + around * around),
+              segmentLength = step * sqrt (horizontal * horizontal + climbing * climbing + around * around),
               segmentRadialStep = step * radialRate,
-              segmentVerticalStep = step * vertical,
-              segmentMomentum = Momentum (if radialRate > 0 then negate radialMomentum else radialMomentum) lambda
+              segmentVerticalStep = step * climbing,
+              segmentMomentum = Momentum (negate radialRate / ((rM - outer) * (rM - innerHorizon))) lambda
             }
-        next !m = march m 1 (left - step) w1 w1' u1 u1' phi1 rest
+        next !m = march m 1 (left - step) w1 w1' u1 u1' rate1 sine1 cosine1 rest
 
     wForce w = w * (c2 + w * (1.5 * kappa - 2 * a2 * eta * w))
     wForce1 w = c2 + w * (3 * kappa - 6 * a2 * eta * w)
@@ -125,6 +129,17 @@ followKerr hole region phase path fate ray gather initial
 
 -- | A number and its rate.
 data Two = Two {-# UNPACK #-} !Double {-# UNPACK #-} !Double
+
+-- | The sine and cosine of an angle that has grown, from those before.
+turnedBy :: Double -> Double -> Double -> Two
+turnedBy angle s c
+  | abs angle < 0.25 =
+    let angle2 = angle * angle
+     in turned (angle * (1 - angle2 * (1 / 6 - angle2 * (1 / 120 - angle2 / 5040)))) (1 - angle2 * (0.5 - angle2 * (1 / 24 - angle2 * (1 / 720 - angle2 / 40320))))
+  | otherwise = turned (sin angle) (cos angle)
+  where
+    turned s1 c1 = Two (s * c1 + c * s1) (c * c1 - s * s1)
+    {-# INLINE turned #-}
 
 -- | @advanced h y y' f f₁ f₂@: the solution of @y'' = f(y)@ after a step, from the force
 -- and its first two derivatives at the start.

@@ -22,27 +22,40 @@ module BlackHole.Spacetime.Kerr.Landmarks
   )
 where
 
--- | The dimensionless spin of a hole, in (−1, 1).
-newtype Spin = Spin Double
-  deriving (Eq, Ord, Show)
+-- | The dimensionless spin of a hole, in (−1, 1), with the radii of its horizons.
+data Spin
+  = Spin
+      {-# UNPACK #-} !Double
+      {-# UNPACK #-} !Double
+      {-# UNPACK #-} !Double
+  deriving (Eq, Ord)
+
+instance Show Spin where
+  showsPrec depth hole = showParen (depth > 10) (showString "Spin " . showsPrec 11 (dimensionlessSpin hole))
 
 -- | The spin of a hole with a horizon. 'Nothing' unless @−1 < s < 1@.
 spin :: Double -> Maybe Spin
 spin s
-  | abs s < 1 = Just (Spin s)
+  | abs s < 1 = Just (spinOf s)
   | otherwise = Nothing
 
 -- | The spin of a hole that does not rotate.
 noSpin :: Spin
-noSpin = Spin 0
+noSpin = spinOf 0
+
+-- The inner horizon, a²/r₊, keeps its digits for slow holes.
+spinOf :: Double -> Spin
+spinOf s = Spin s outer (0.25 * s * s / outer)
+  where
+    outer = 0.5 * (1 + sqrt ((1 - s) * (1 + s)))
 
 -- | @s = J\/M²@, in (−1, 1).
 dimensionlessSpin :: Spin -> Double
-dimensionlessSpin (Spin s) = s
+dimensionlessSpin (Spin s _ _) = s
 
 -- | @a = J\/M = s\/2@, a length in (−½, ½).
 spinLength :: Spin -> Double
-spinLength (Spin s) = 0.5 * s
+spinLength (Spin s _ _) = 0.5 * s
 
 -- | The sense in which something turns about @+y@. The gas of a disk is always
 -- right-handed; it counter-rotates where the spin is negative.
@@ -52,26 +65,25 @@ data Handedness = RightHanded | LeftHanded
 -- | The spin as something of this handedness feels it: positive if it turns with
 -- the hole.
 spinAlong :: Handedness -> Spin -> Double
-spinAlong RightHanded (Spin s) = s
-spinAlong LeftHanded (Spin s) = negate s
+spinAlong RightHanded hole = dimensionlessSpin hole
+spinAlong LeftHanded hole = negate (dimensionlessSpin hole)
 
 -- | The event horizon @r₊@, in (½, 1].
 horizonRadius :: Spin -> Double
-horizonRadius (Spin s) = 0.5 * (1 + sqrt ((1 - s) * (1 + s)))
+horizonRadius (Spin _ outer _) = outer
 
--- | The inner horizon @r₋@, in [0, ½). Written as @a²\/r₊@, which keeps its digits
--- for slow holes.
+-- | The inner horizon @r₋@, in [0, ½).
 innerHorizonRadius :: Spin -> Double
-innerHorizonRadius hole = spinLength hole * spinLength hole / horizonRadius hole
+innerHorizonRadius (Spin _ _ inner) = inner
 
 -- | @Δ = (r − r₊)(r − r₋)@ at a radius.
 kerrDelta :: Spin -> Double -> Double
-kerrDelta hole r = (r - horizonRadius hole) * (r - innerHorizonRadius hole)
+kerrDelta (Spin _ outer inner) r = (r - outer) * (r - inner)
 
 -- | The radius below which nothing can be at rest, from the cosine of the
 -- polar angle: between the horizon on the axis and 1 in the equatorial plane.
 ergosphereRadius :: Spin -> Double -> Double
-ergosphereRadius (Spin s) cosine = 0.5 * (1 + sqrt ((1 - s * cosine) * (1 + s * cosine)))
+ergosphereRadius (Spin s _ _) cosine = 0.5 * (1 + sqrt ((1 - s * cosine) * (1 + s * cosine)))
 
 -- | The circular orbit of light in the equatorial plane, in (½, 2).
 photonOrbitRadius :: Handedness -> Spin -> Double

@@ -84,13 +84,14 @@ latitude precision hole ray
     b = sqrt (base2 + a2)
     swing = a2 * reach2
     parameter = swing / (base2 + swing)
-    -- The coefficients fall at least by the factor 0.03 for a parameter of 0.1, and by
-    -- 0.17 for one of ½.
-    terms
-      | parameter > 0.1 = resolution20
-      | otherwise = case precision of
-        FullPrecision -> resolution10
-        PicturePrecision -> resolution6
+    -- The coefficients fall by the factor 0.003 at least for a parameter of 0.01, by 0.03
+    -- for one of 0.1, and by 0.17 for one of ½.
+    terms = case precision of
+      _ | parameter > 0.1 -> resolution20
+      FullPrecision -> resolution10
+      PicturePrecision
+        | parameter > 0.01 -> resolution6
+        | otherwise -> resolution4
     times = periodicIntegral terms (\sine2 -> 1 / sqrt (base2 + swing * sine2))
     precessing sine2 =
       let speed = sqrt (base2 + swing * sine2)
@@ -102,10 +103,12 @@ latitude precision hole ray
       | size > 0 = Phase (arcTangent2 u rise) (u / size) (rise / size)
       | otherwise = Phase 0 0 1
 
-resolution6, resolution10, resolution20 :: Resolution
+resolution4, resolution6, resolution10, resolution20 :: Resolution
+resolution4 = resolution 4
 resolution6 = resolution 6
 resolution10 = resolution 10
 resolution20 = resolution 20
+{-# NOINLINE resolution4 #-}
 {-# NOINLINE resolution6 #-}
 {-# NOINLINE resolution10 #-}
 {-# NOINLINE resolution20 #-}
@@ -119,17 +122,24 @@ phaseAtStart = _latitudeStart
 
 -- | The phase after a Mino time, by Newton's method.
 phaseAfter :: Latitude -> Double -> Phase
-phaseAfter l time = go (8 :: Int) (target / integralPerRadian times)
+phaseAfter l time = go (8 :: Int) (phaseAt (target / integralPerRadian times))
   where
     times = _latitudeTime l
     target = _latitudeStartTime l + time
-    go rounds angle
-      | rounds <= 0 || not (abs change > 1e-9) = Phase angle' (sin angle') (cos angle')
-      | otherwise = go (rounds - 1) angle'
+    phaseAt angle = Phase angle (sin angle) (cos angle)
+    go rounds phase@(Phase angle s c)
+      | rounds <= 0 || not (abs change > 1e-9) = changed
+      | otherwise = go (rounds - 1) changed
       where
-        phase = Phase angle (sin angle) (cos angle)
         change = (target - timeOf times phase) * phaseSpeed l phase
-        angle' = angle + change
+        -- A small change turns the sine and the cosine.
+        changed
+          | abs change < 0.01 =
+            let change2 = change * change
+                s1 = change * (1 - change2 * (1 / 6 - change2 * (1 / 120 - change2 / 5040)))
+                c1 = 1 - change2 * (0.5 - change2 * (1 / 24 - change2 / 720))
+             in Phase (angle + change) (s * c1 + c * s1) (c * c1 - s * s1)
+          | otherwise = phaseAt (angle + change)
 
 -- | χ' at a phase.
 phaseSpeed :: Latitude -> Phase -> Double

@@ -13,7 +13,6 @@ module BlackHole.Spacetime.Kerr.Path
     KerrPoint (..),
     kerrPoint,
     kerrPlanePoints,
-    kerrCosineRate,
     kerrPassages,
     kerrSweptAngle,
     kerrStraightAngle,
@@ -45,8 +44,6 @@ data KerrPath = KerrPath
     -- path that lies in the plane; at most a thousand for one that circles for
     -- ever.
     kerrPlanePoints :: [KerrPoint],
-    -- | d(cos θ)\/dτ after a Mino time.
-    kerrCosineRate :: Double -> Double,
     -- | @kerrPassages path r c@: the Mino times between which the path is within the
     -- radius @r@ and can have @|cos θ| ≤ c@, in order and apart from each other. At most
     -- a thousand for a path that circles for ever.
@@ -66,7 +63,9 @@ data KerrPoint = KerrPoint
     -- azimuth.
     pointAzimuth :: !Double,
     -- | Whether the radius grows along the tracing.
-    pointGrows :: !Bool
+    pointGrows :: !Bool,
+    -- | d(cos θ)\/dτ.
+    pointCosineRate :: !Double
   }
   deriving (Eq, Show)
 
@@ -100,7 +99,6 @@ closedPath hole azimuth ray r l =
       kerrPoint = \t -> pointAt t (phaseAfter l t),
       kerrPlanePoints =
         [pointAt t phase | (t, phase) <- takeWhile ((< time) . fst) (take 1000 (planeCrossingTimes l))],
-      kerrCosineRate = phaseRate l . phaseAfter l,
       kerrPassages = \limit steepest -> case timeWithin r limit of
         Nothing -> []
         Just (from, to) ->
@@ -116,7 +114,7 @@ closedPath hole azimuth ray r l =
     lambda = rayLambda ray
     kappa = rayKappa ray
     inside = rayRadius ray <= horizonRadius hole
-    pointAt t phase = KerrPoint radius (phaseCosine l phase) (arcTangent2 x z - correction) (stateGrows state)
+    pointAt t phase = KerrPoint radius (phaseCosine l phase) (arcTangent2 x z - correction) (stateGrows state) (phaseRate l phase)
       where
         state = stateAfter r t
         radius = stateRadius state
@@ -147,13 +145,18 @@ seriesOnly hole azimuth ray =
           else Captured,
       kerrPoint = pointAt,
       kerrPlanePoints = filter ((> horizonRadius hole) . pointRadius) (map pointAt (seriesCrossingTimes path)),
-      kerrCosineRate = seriesCosineRate path,
-      kerrPassages = seriesPassages path,
+      kerrPassages = \limit steepest -> if steepest < 0.999 * leastCosine then [] else seriesPassages path limit steepest,
       kerrSweptAngle = Nothing
     }
   where
     path = seriesPath hole ray
     time = seriesEnd path
+    -- The least |cos θ|: light with η < 0 stays on one side of the plane.
+    leastCosine
+      | rayEta ray < 0 = sqrt (max 0 (-2 * rayEta ray / (excess + sqrt (max 0 (excess * excess + 4 * a2 * rayEta ray)))))
+      | otherwise = 0
+    excess = a2 - rayEta ray - rayLambda ray * rayLambda ray
+    a2 = spinLength hole * spinLength hole
     outward = rayRadialRate ray > 0
     -- The azimuth in which the frame of the series turns: ingoing for light that
     -- falls towards the hole, whose tracing leads outwards, else outgoing.
@@ -163,7 +166,7 @@ seriesOnly hole azimuth ray =
       Ingoing phi -> phi - 2 * ingoingLead hole (rayRadius ray)
       BoyerLindquist phi -> phi + regular (rayRadius ray)
     turned point = let (c, s) = seriesHorizontal point in against (start - seriesFrame point) (c, negate s)
-    pointAt t = KerrPoint r (seriesCosine point) (arcTangent2 x z - (if r > horizonRadius hole then regular r else 0)) outward
+    pointAt t = KerrPoint r (seriesCosine point) (arcTangent2 x z - (if r > horizonRadius hole then regular r else 0)) outward (seriesCosineRate path t)
       where
         point = seriesPoint path t
         r = seriesRadius point

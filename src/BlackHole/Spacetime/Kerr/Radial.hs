@@ -52,7 +52,7 @@ data Radial = Radial
     _radialEnd :: !RadialEnd,
     -- | The variable @v@ at the start, at the end, and at the horizon on the way
     -- outwards (infinite if the ray keeps away from it).
-    _radialStartV :: {-# UNPACK #-} !Double,
+    _radialStartV :: Double,
     _radialStopV :: Double,
     _radialPole :: Double,
     _radialStartRadius :: {-# UNPACK #-} !Double,
@@ -186,7 +186,7 @@ radial precision hole ray
           _radialPrecision = precision
         }
       where
-        position = argumentAt complement shape
+        position = argumentAt precision complement shape
         negative (x, v) = (negate x, negate v)
         (start, startV) = case shape of
           Inner {} | grows -> negative (position r0)
@@ -195,7 +195,7 @@ radial precision hole ray
           _ -> negative (position r0)
         (end, (stop, stopV)) = case shape of
           Inner {} -> (AtHorizon, position horizon)
-          _ | grows || turns -> (AtInfinity, argumentAtInfinity complement shape)
+          _ | grows || turns -> (AtInfinity, argumentAtInfinity precision complement shape)
           _ -> (AtHorizon, negative (position horizon))
 
 -- | Ferrari's @z > 0@ of @r⁴ + c₂r² + κr + c₀@ with κ > 0: minus half the sum of
@@ -217,34 +217,40 @@ ferrari c2 kappa c0 = sqrt (max 0 (0.5 * omegas - c2 / 6))
 
 -- | The elliptic argument and the variable @v@ at a radius, both as if on the way
 -- outwards.
-argumentAt :: Double -> Shape -> Double -> (Double, Double)
-argumentAt complement shape r = case shape of
+argumentAt :: Precision -> Double -> Shape -> Double -> (Double, Double)
+argumentAt precision complement shape r = case shape of
   Outer r1 _ r3 r4 -> quarter ((r3 - r1) * (r - r4)) ((r4 - r3) * (r - r1))
   Inner _ r2 r3 r4 -> quarter ((r4 - r2) * (r3 - r)) ((r4 - r3) * (r - r2))
   Single r1 r2 a1 b1 root ->
     half root (2 * sqrt (a1 * b1 * (r - r1) * (r - r2))) (a1 * (r - r1) - b1 * (r - r2))
   where
     quarter sine2 cosine2 =
-      (firstQuadrantF complement (max 0 sine2) (max 0 cosine2), asinh (sqrt (max 0 sine2 / cosine2)))
-    half = halfTurn complement
+      (quadrant precision complement (max 0 sine2) (max 0 cosine2), asinh (sqrt (max 0 sine2 / cosine2)))
+    half = halfTurn precision complement
 
 -- | 'argumentAt' at infinity, on the way outwards.
-argumentAtInfinity :: Double -> Shape -> (Double, Double)
-argumentAtInfinity complement shape = case shape of
+argumentAtInfinity :: Precision -> Double -> Shape -> (Double, Double)
+argumentAtInfinity precision complement shape = case shape of
   Outer r1 _ r3 r4 ->
-    (firstQuadrantF complement (r3 - r1) (r4 - r3), asinh (sqrt ((r3 - r1) / (r4 - r3))))
+    (quadrant precision complement (r3 - r1) (r4 - r3), asinh (sqrt ((r3 - r1) / (r4 - r3))))
   -- Never asked for: such light does not escape.
   Inner {} -> (1 / 0, 1 / 0)
-  Single _ _ a1 b1 root -> halfTurn complement root (2 * sqrt (a1 * b1)) (a1 - b1)
+  Single _ _ a1 b1 root -> halfTurn precision complement root (2 * sqrt (a1 * b1)) (a1 - b1)
+
+-- | 'firstQuadrantF' to a precision.
+quadrant :: Precision -> Double -> Double -> Double -> Double
+quadrant precision = firstQuadrantFWithin $ case precision of
+  FullPrecision -> seriesRadius
+  PicturePrecision -> 0.1
 
 -- | @F(φ)@ for φ in (0, π) from numbers in proportion to its sine and cosine, and
 -- the variable @v = −asinh (cot φ \/ √m₁)@.
-halfTurn :: Double -> Double -> Double -> Double -> (Double, Double)
-halfTurn complement root sine cosine
+halfTurn :: Precision -> Double -> Double -> Double -> Double -> (Double, Double)
+halfTurn precision complement root sine cosine
   | cosine >= 0 = (first, v)
   | otherwise = (2 * completeK complement - first, v)
   where
-    first = firstQuadrantF complement (sine * sine) (cosine * cosine)
+    first = quadrant precision complement (sine * sine) (cosine * cosine)
     v = negate (asinh (cosine / (sine * root)))
 
 -- | Where the motion ends, and after what Mino time.
@@ -270,7 +276,7 @@ timeWithin radius limit
         | starts -> (0, if r3 <= limit || start > 0 then total else timeAt (negate (argument shape)))
         | otherwise -> (max 0 (timeAt (argument shape)), total)
       shape -> between shape
-    argument shape = fst (argumentAt (_radialComplement radius) shape limit)
+    argument shape = fst (argumentAt (_radialPrecision radius) (_radialComplement radius) shape limit)
     between shape =
       ( if starts then 0 else if start < 0 then timeAt (negate (argument shape)) else 1 / 0,
         case end of

@@ -14,6 +14,9 @@ module BlackHole.Spacetime.Kerr.Sight
     Direction (..),
     LightRay (..),
     lightRay,
+    Seer,
+    seer,
+    raySeen,
   )
 where
 
@@ -80,25 +83,43 @@ data LightRay = LightRay
 -- observer can be (at rest inside the ergosphere, on an orbit faster than light,
 -- on or inside the horizon unless in free fall), and where an observer inside
 -- the horizon looks at darkness because no light from outside arrives.
---
--- With @v@ the observer's azimuthal speed past the zero-angular-momentum observer
--- of the place (lapse α, frame dragging ω, circumferential radius ϖ), light of
--- frequency 1 has @E = γ[α(1 − v n_φ) − ωϖ(n_φ − v)]@ and
--- @λ = −ϖγ(n_φ − v)\/E@ (Bardeen, Press and Teukolsky 1972, section III).
 lightRay :: Spin -> Place -> Motion -> Direction -> Maybe LightRay
-lightRay hole (Place r polarAngle) motion (Direction nr ntheta nphi) = case motion of
-  AtRest
-    | r > ergosphereRadius hole c -> turning (negate (omega * varpi) / alpha)
-  ZeroAngularMomentum
-    | outside -> turning 0
-  OnOrbit handedness
-    | outside, q2 > 0 -> turning (varpi * (orbitalRate handedness - omega) / alpha)
-  InFreeFall
-    | r > 0 ->
-      let infall = sqrt (r * (r * r + a * a))
-          energy = 1 + infall / sqrt area * nr - a * r * s * nphi / sqrt (area * sigma)
-       in scaled energy (infall + nr * sqrt area) (negate (sqrt (area / sigma)) * nphi)
-  _ -> Nothing
+lightRay hole place motion = raySeen (seer hole place motion)
+
+-- | An observer, with everything that all rays share.
+data Seer = Seer
+  { _seerSpinLength :: {-# UNPACK #-} !Double,
+    _seerRadius :: {-# UNPACK #-} !Double,
+    _seerCosine :: {-# UNPACK #-} !Double,
+    _seerSine :: {-# UNPACK #-} !Double,
+    -- | √Σ, and √(A\/Σ), the circumferential radius over sin θ.
+    _seerRootSigma :: {-# UNPACK #-} !Double,
+    _seerCircumference :: {-# UNPACK #-} !Double,
+    _seerMoving :: !Moving
+  }
+
+data Moving
+  = -- | With the azimuthal speed @v@ and its γ, the lapse α, ωϖ and √(ΣΔ).
+    Turning !Double !Double !Double !Double !Double
+  | -- | With the coefficients of the energy and of the radial rate.
+    Infalling !Double !Double !Double !Double
+  | Impossible
+
+-- | Prepares an observer for 'raySeen'.
+seer :: Spin -> Place -> Motion -> Seer
+seer hole (Place r polarAngle) motion =
+  Seer a r c s (sqrt sigma) (sqrt (area / sigma)) $ case motion of
+    AtRest
+      | r > ergosphereRadius hole c -> turning (negate (omega * varpi) / alpha)
+    ZeroAngularMomentum
+      | outside -> turning 0
+    OnOrbit handedness
+      | outside, q2 > 0 -> turning (varpi * (orbitalRate handedness - omega) / alpha)
+    InFreeFall
+      | r > 0 ->
+        let infall = sqrt (r * (r * r + a * a))
+         in Infalling (infall / sqrt area) (a * r * s / sqrt (area * sigma)) infall (sqrt area)
+    _ -> Impossible
   where
     a = spinLength hole
     c = cos polarAngle
@@ -117,15 +138,28 @@ lightRay hole (Place r polarAngle) motion (Direction nr ntheta nphi) = case moti
       RightHanded -> sqrt q2 / (s * (sqrt (2 * r) + a * sqrt q2 * s))
       LeftHanded -> negate (sqrt q2) / (s * (sqrt (2 * r) - a * sqrt q2 * s))
     turning v
-      | v * v < 1 =
-        let gamma = 1 / sqrt ((1 - v) * (1 + v))
-            energy = gamma * (alpha * (1 - v * nphi) - omega * varpi * (nphi - v))
-         in scaled energy (nr * sqrt (sigma * delta)) (negate (sqrt (area / sigma)) * gamma * (nphi - v))
-      | otherwise = Nothing
+      | v * v < 1 = Turning v (1 / sqrt ((1 - v) * (1 + v))) alpha (omega * varpi) (sqrt (sigma * delta))
+      | otherwise = Impossible
+
+-- | 'lightRay' of a prepared observer.
+--
+-- With @v@ the observer's azimuthal speed past the zero-angular-momentum observer
+-- of the place (lapse α, frame dragging ω, circumferential radius ϖ), light of
+-- frequency 1 has @E = γ[α(1 − v n_φ) − ωϖ(n_φ − v)]@ and
+-- @λ = −ϖγ(n_φ − v)\/E@ (Bardeen, Press and Teukolsky 1972, section III).
+raySeen :: Seer -> Direction -> Maybe LightRay
+raySeen (Seer a r c s rootSigma circumference moving) (Direction nr ntheta nphi) = case moving of
+  Turning v gamma alpha dragged radialScale ->
+    let energy = gamma * (alpha * (1 - v * nphi) - dragged * (nphi - v))
+     in scaled energy (nr * radialScale) (negate circumference * gamma * (nphi - v))
+  Infalling inward around infall rootArea ->
+    scaled (1 + inward * nr - around * nphi) (infall + nr * rootArea) (negate circumference * nphi)
+  Impossible -> Nothing
+  where
     -- The radial rate and λ / sin θ, both for unit frequency at the observer.
     scaled energy radialRate lambdaOverSine
       | energy > 0 =
-        let thetaRate = ntheta * sqrt sigma / energy
+        let thetaRate = ntheta * rootSigma / energy
             l = lambdaOverSine / energy
             eta = thetaRate * thetaRate + c * c * (l * l - a * a)
          in Just

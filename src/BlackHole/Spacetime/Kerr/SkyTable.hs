@@ -22,7 +22,6 @@
 module BlackHole.Spacetime.Kerr.SkyTable
   ( SkyTable,
     skyTable,
-    tableServes,
     tabulatedFate,
     tabulatedChanges,
     tabulatedOffset,
@@ -46,6 +45,9 @@ import Data.Primitive.Array (Array, arrayFromListN, indexArray, sizeofArray)
 data SkyTable = SkyTable
   { _tableSpin :: !Spin,
     _tablePlace :: !Place,
+    -- | cos θ and √Δ of the place.
+    _tableCosine :: {-# UNPACK #-} !Double,
+    _tableRootDelta :: {-# UNPACK #-} !Double,
     -- | By ε in equal parts of the circle from −π on; empty at and inside the horizon.
     _tableSectors :: !(Array Sector)
   }
@@ -65,9 +67,10 @@ data Sector
 skyTable :: Spin -> Place -> SkyTable
 skyTable hole place
   | placeRadius place > horizonRadius hole =
-    SkyTable hole place (arrayFromListN sectorCount [sector (5 :: Int) (sectorWidth * (fromIntegral i + 0.5) - pi) (0.5 * sectorWidth) | i <- [0 .. sectorCount - 1]])
-  | otherwise = SkyTable hole place (arrayFromListN 0 [])
+    prepared (arrayFromListN sectorCount [sector (5 :: Int) (sectorWidth * (fromIntegral i + 0.5) - pi) (0.5 * sectorWidth) | i <- [0 .. sectorCount - 1]])
+  | otherwise = prepared (arrayFromListN 0 [])
   where
+    prepared = SkyTable hole place (cos (placePolarAngle place)) (sqrt (kerrDelta hole (placeRadius place)))
     sector depth middle half = case curve 1e-11 16 (edgeAt hole place) middle half of
       Just edge -> Sector edge (arrayFromListN rangeCount [patch tolerance 6 (escape edge) (Rectangle (rangeWidth * (fromIntegral k + 0.5)) (0.5 * rangeWidth) middle half) | k <- [0 .. rangeCount - 1]])
       Nothing
@@ -136,28 +139,28 @@ rayTowards hole (Place r polarAngle) w epsilon
 data Parameters = Parameters {-# UNPACK #-} !Double {-# UNPACK #-} !Double
 
 parametersOf :: SkyTable -> LightRay -> Parameters
-parametersOf (SkyTable hole _ _) ray =
+parametersOf (SkyTable hole _ _ rootDelta _) ray =
   Parameters
-    (quarterTangent (rayRadialRate ray / p) (sqrt (kerrDelta hole (rayRadius ray) * (across * across + polar * polar)) / p))
+    (quarterTangent (rayRadialRate ray * scale) (rootDelta * sqrt (across * across + polar * polar) * scale))
     (arcTangent2 polar across)
   where
     a = spinLength hole
     lambda = rayLambda ray
-    p = rayRadius ray * rayRadius ray + a * (a - lambda)
+    scale = 1 / (rayRadius ray * rayRadius ray + a * (a - lambda))
     across = lambda / raySine ray - a * raySine ray
     polar = rayPolarRate ray
 {-# INLINE parametersOf #-}
 
 -- | Whether a table is that of the place from which a ray is seen, to rounding.
 tableServes :: SkyTable -> LightRay -> Bool
-tableServes (SkyTable _ (Place r polarAngle) _) ray =
-  abs (rayRadius ray - r) <= 1e-11 * r && abs (rayCosine ray - cos polarAngle) <= 1e-11
+tableServes (SkyTable _ (Place r _) cosine _ _) ray =
+  abs (rayRadius ray - r) <= 1e-11 * r && abs (rayCosine ray - cosine) <= 1e-11
 
 -- | The sector of a ray, with its parameters.
 data AtAngle = AtAngle !Sector {-# UNPACK #-} !Double {-# UNPACK #-} !Double
 
 sectorOf :: SkyTable -> LightRay -> Maybe AtAngle
-sectorOf table@(SkyTable _ _ sectors) ray
+sectorOf table@(SkyTable _ _ _ _ sectors) ray
   | sizeofArray sectors == 0 || not (tableServes table ray) = Nothing
   | otherwise = go (indexArray sectors (max 0 (min (sectorCount - 1) (truncate ((epsilon + pi) / sectorWidth)))))
   where
@@ -223,7 +226,7 @@ tabulatedOffset table ray
 
 -- | A direction for an observer at an azimuth, from that for an observer at azimuth 0.
 turnedBy :: SkyTable -> Azimuth -> XYZ -> XYZ
-turnedBy (SkyTable hole place _) azimuth (XYZ x y z) = XYZ (x * c + z * s) y (z * c - x * s)
+turnedBy (SkyTable hole place _ _ _) azimuth (XYZ x y z) = XYZ (x * c + z * s) y (z * c - x * s)
   where
     phi = case azimuth of
       BoyerLindquist start -> start
