@@ -10,7 +10,7 @@
 -- > w'' = (a² − λ² − η) w + (3/2) κ w² − 2a²η w³
 -- > u'' = (a² − λ² − η − 2a²u²) u
 --
--- and the azimuth is an integral over both. A segment is so short against the gas that
+-- and the azimuth is an integral over both, by Simpson's rule. A segment is so short that
 -- the series of order 5 is exact to 1e-9.
 module BlackHole.Spacetime.Kerr.Follow
   ( followKerr,
@@ -45,6 +45,9 @@ followKerr hole region phase path fate ray gather initial
     !outer = horizonRadius hole
     !innerHorizon = innerHorizonRadius hole
     !wHorizon = 1 / outer
+    fallsIn = case fate of
+      Captured -> True
+      _ -> False
     -- The squared angle that the ray turns per Mino time, roughly.
     !turns2 = max 0 (eta + lambda * lambda)
     !radius = regionRadius region
@@ -59,21 +62,28 @@ followKerr hole region phase path fate ray gather initial
     windows = kerrPassages path reach steepest
 
     passages !n [] state = finish n state
-    passages !n ((from, to) : rest) state =
-      march n phase (to - from) w w' u (pointCosineRate point) (turning w u) (sin azimuth) (cos azimuth) rest state
+    passages !n ((from, to) : rest) state = begin n phase from to rest state
+
+    -- Gathers between two Mino times, from the closed form's point.
+    begin !n !lead !from !to rest state =
+      march n lead to (to - from) w w' u (pointCosineRate point) (turning w u) sine cosine rest state
       where
         !point = kerrPoint path from
-        azimuth = pointAzimuth point
+        !(Two sine cosine) = direction point
         !w = 1 / pointRadius point
         !w' = (if pointGrows point then negate else id) (sqrt (max 0 (1 + w * w * (c2 + w * (kappa - a2 * eta * w)))))
         !u = pointCosine point
+
+    direction point = let azimuth = pointAzimuth point in Two (sin azimuth) (cos azimuth)
 
     -- dφ/dτ along the tracing.
     turning !w !u = negate (lambda / (1 - u * u) + a * w * (1 - a * lambda * w) / (1 - w + a2 * w * w))
     {-# INLINE turning #-}
 
-    march !n !lead !left !w !w' !u !u' !rate0 !sine !cosine rest state
+    march !n !lead !to !left !w !w' !u !u' !rate0 !sine !cosine rest state
       | left <= 1e-14 || w >= 0.999999 * wHorizon = passages n rest state
+      -- Inside of the gas on the way into the hole.
+      | w * inner > 1 && w' > 0 && fallsIn = finish n state
       | rho <= radius && abs (rM * uM) <= height + flare * rho && rM >= inner = case gather state segment of
         Continue state' -> next (n + 1) state'
         Stop state' -> Followed Opaque state' (n + 1)
@@ -87,7 +97,9 @@ followKerr hole region phase path fate ray gather initial
         !climb = abs (u' * room - u * height * w')
         !within = max 1 (min core (aside * core / room)) / max (pace / longest) (climb / (vertical * room * room))
         !approach = if aside > room then max within (0.8 * (aside - room) / abs u') else within
-        !wanted = lead * min (0.2 / pace) approach
+        -- Beside the horizon the azimuth grows as the logarithm of the distance.
+        !beside = max (1e-3 * wHorizon) (0.1 * (wHorizon - w)) / abs w'
+        !wanted = lead * min (min (0.2 / pace) beside) approach
         !step = if left < 1.4 * wanted then left else wanted
         !half = 0.5 * step
         !(Two wM wM') = advanced half w w' (wForce w) (wForce1 w) (wForce2 w)
@@ -97,7 +109,9 @@ followKerr hole region phase path fate ray gather initial
         !rateM = turning wM uM
         !rate1 = turning w1 u1
         -- Simpson's rule, and the parabola's integral over its first half.
-        !(Two sineM cosineM) = turnedBy (step / 24 * (5 * rate0 + 8 * rateM - rate1)) sine cosine
+        !(Two sineM cosineM)
+          | besidePole = direction (kerrPoint path (to - left + half))
+          | otherwise = turnedBy (step / 24 * (5 * rate0 + 8 * rateM - rate1)) sine cosine
         !(Two sine1 cosine1) = turnedBy (step / 6 * (rate0 + 4 * rateM + rate1)) sine cosine
         !rM = 1 / wM
         !sM = sqrt (1 - uM * uM)
@@ -117,7 +131,11 @@ followKerr hole region phase path fate ray gather initial
               segmentVerticalStep = step * climbing,
               segmentMomentum = Momentum (negate radialRate / ((rM - outer) * (rM - innerHorizon))) lambda
             }
-        next !m = march m 1 (left - step) w1 w1' u1 u1' rate1 sine1 cosine1 rest
+        -- The azimuth turns too fast for Simpson's rule there.
+        !besidePole = max (u * u) (u1 * u1) > 0.9
+        next !m
+          | besidePole = begin m 1 (to - left + step) to rest
+          | otherwise = march m 1 to (left - step) w1 w1' u1 u1' rate1 sine1 cosine1 rest
 
     wForce w = w * (c2 + w * (1.5 * kappa - 2 * a2 * eta * w))
     wForce1 w = c2 + w * (3 * kappa - 6 * a2 * eta * w)

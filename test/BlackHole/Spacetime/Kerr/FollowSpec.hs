@@ -1,0 +1,82 @@
+module BlackHole.Spacetime.Kerr.FollowSpec (spec) where
+
+import BlackHole.Spacetime.Follow
+import BlackHole.Spacetime.Kerr.Landmarks
+import BlackHole.Spacetime.Kerr.Path
+import BlackHole.Spacetime.Kerr.Sight
+import BlackHole.Spacetime.LightPath
+import BlackHole.Spacetime.Momentum
+import BlackHole.Spacetime.Observer (Observer (Static), SightLine (..), sightLine)
+import BlackHole.Spacetime.Types (Spacetime (..))
+import BlackHole.Vector.XYZ (XYZ (..), (*^))
+import Support.Approx
+import Support.KerrReference
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
+import Test.QuickCheck
+
+spec :: Spec
+spec = do
+  modifyMaxSuccess (const 100) . prop "segments lie on the path, with the photon's momentum" $
+    forAll sights $ \(hole, at, ray) ->
+      let Followed _ (time, found) _ = follow (tracing (Kerr hole) ByTable (position at)) everywhere 1 (RotatingSight hole (BoyerLindquist 0.7) ray) gather (0, [])
+          path = kerrPath hole (BoyerLindquist 0.7) ray
+          a = spinLength hole
+          gather (begun, others) segment = Continue (begun + duration, (begun + 0.5 * duration, segment) : others)
+            where
+              XYZ _ y _ = segmentMiddle segment
+              duration = segmentAffineLength segment / (segmentRadius segment * segmentRadius segment + a * a * y * y / (segmentRadius segment * segmentRadius segment))
+       in counterexample (show (time, kerrMinoTime path)) $
+            conjoin
+              [ counterexample (show (t, segment)) $
+                  nearXYZ (1e-4 * (1 + stretched)) (1 / r *^ placed point) (1 / r *^ segmentMiddle segment)
+                    .&&. closeTo (1e-4 * (1 + radial') * (1 + stretched)) 0 (radial - radial' * signum' (pointGrows point))
+                | (t, segment) <- found,
+                  t < 0.999 * kerrMinoTime path,
+                  let point = kerrPoint path t
+                      r = pointRadius point,
+                  r > 1.05 * horizonRadius hole,
+                  let p = r * r + a * (a - rayLambda ray)
+                      -- Beside the horizon the momentum grows without limit.
+                      stretched = 1e-2 / kerrDelta hole r
+                      radial' = sqrt (max 0 (p * p - kerrDelta hole r * rayKappa ray)) / kerrDelta hole r
+                      Momentum radial lambda = segmentMomentum segment
+                      signum' grows = if grows then -1 else 1,
+                  lambda == rayLambda ray
+              ]
+  it "gathers as much in a layer of gas by the table as by the closed form, at nearly the spin 0 as without spin" $
+    sequence_
+      [ gathered space method psi eta `shouldBeWithin` (0.02 * expected + 1e-3, expected)
+        | (psi, eta) <- [(0.2, 0.5), (0.3, -1.2), (0.09, 2), (0.5, 3)],
+          (space, method, expected) <-
+            [ (Kerr (spinOf 0.9), ByTable, gathered (Kerr (spinOf 0.9)) InClosedForm psi eta),
+              (Kerr (spinOf 1e-6), ByTable, gathered Schwarzschild ByTable psi eta)
+            ]
+      ]
+  where
+    -- One passage from the observer to the end, on which the steps' errors add up; a
+    -- passage through a disk is much shorter.
+    everywhere = Region 200 0 200 0 0.02 0.02 1
+    position (Place r theta) = XYZ (r * sin theta) (r * cos theta) 0
+    placed point =
+      let s = sqrt (1 - pointCosine point * pointCosine point)
+          r = pointRadius point
+       in XYZ (r * s * sin (pointAzimuth point)) (r * pointCosine point) (r * s * cos (pointAzimuth point))
+    sights = do
+      s <- oneof [choose (-0.99, 0.99), choose (-0.05, 0.05)]
+      r <- exp <$> choose (log 2, log 40)
+      theta <- choose (0.1, pi - 0.1)
+      psi <- oneof [choose (0, pi), (\x -> x * 4 / (r + 3)) <$> choose (0, 1)]
+      eta <- choose (-pi, pi)
+      let hole = spinOf s
+      case lightRay hole (Place r theta) ZeroAngularMomentum (aimed psi eta) of
+        Just ray | Just offset <- shadowOffset (tracing (Kerr hole) InClosedForm (position (Place r theta))) (RotatingSight hole (BoyerLindquist 0) ray), abs offset > 1e-4 -> pure (hole, Place r theta, ray)
+        _ -> sights
+    gathered space method psi eta =
+      let at = XYZ (20 * sin 1.2) (20 * cos 1.2) 0
+          slab = Region 12 1.6 0.5 0 0.01 0.01 1
+          Direction nr ntheta nphi = aimed psi eta
+          direction = XYZ (nr * sin 1.2 + ntheta * cos 1.2) (nr * cos 1.2 - ntheta * sin 1.2) (negate nphi)
+       in case sightLine space Static at direction of
+            Just sight -> followedState (follow (tracing space method at) slab 1 sight (\sum' segment -> Continue (sum' + segmentAffineLength segment)) 0)
+            Nothing -> 0 / 0

@@ -1,0 +1,85 @@
+module BlackHole.Spacetime.Kerr.SkyTableSpec (spec) where
+
+import BlackHole.Spacetime.Fate
+import BlackHole.Spacetime.Kerr.Path
+import BlackHole.Spacetime.Kerr.Shadow
+import BlackHole.Spacetime.Kerr.Sight
+import BlackHole.Spacetime.Kerr.SkyTable
+import BlackHole.Spacetime.Schwarzschild.LensDifferential (LensChanges (..))
+import BlackHole.Vector.XYZ ((*^), (^-^))
+import qualified BlackHole.Vector.XYZ as XYZ
+import Data.Maybe (fromMaybe, isJust)
+import Support.Approx
+import Support.KerrReference
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
+import Test.QuickCheck
+
+spec :: Spec
+spec = do
+  modifyMaxSuccess (const 60) $
+    prop "has the fate and the direction of the closed form, for observers in any motion" $
+      forAll place $ \(s, r, theta) ->
+        let hole = spinOf s
+            table = skyTable hole (Place r theta)
+         in forAll (vectorOf 20 ((,,) <$> elements [ZeroAngularMomentum, InFreeFall, AtRest] <*> direction r <*> choose (-pi, pi))) $ \sights ->
+              conjoin
+                [ case (tabulatedFate table azimuth ray, kerrFate (kerrPath hole azimuth ray)) of
+                    (Nothing, _) -> property True
+                    (Just (Escaped found), Escaped known) -> nearXYZ (if farFromEdge table ray then 1e-6 else 1e-4) known found
+                    (Just found, known) -> fateName found === fateName known
+                  | (motion, to, phi) <- sights,
+                    Just ray <- [lightRay hole (Place r theta) motion to],
+                    let azimuth = if motion == InFreeFall then Ingoing phi else BoyerLindquist phi
+                ]
+  it "serves for all but a few directions" $
+    sequence_
+      [ length [() | ray <- rays, isJust (tabulatedFate table (BoyerLindquist 0) ray)] * 100 `shouldSatisfy` (> 99 * length rays)
+        | (s, r, theta) <- [(0.3, 30, 1.4), (0.9, 5, 0.2), (0.998, 54, 1.57), (-0.998, 1.6, 1)],
+          let hole = spinOf s
+              table = skyTable hole (Place r theta)
+              rays = [ray | psi <- [0.02, 0.05 .. 3.1], eta <- [-3.1, -2.8 .. 3.1], Just ray <- [lightRay hole (Place r theta) ZeroAngularMomentum (aimed psi eta)]]
+      ]
+  modifyMaxSuccess (const 60) $
+    prop "knows how the direction changes from ray to ray" $
+      forAll ((,) <$> place <*> choose (-pi, pi)) $ \((s, r, theta), towards) ->
+        forAll (direction r) $ \(Direction nr ntheta nphi) ->
+          let hole = spinOf s
+              at = Place r theta
+              table = skyTable hole at
+              apart = 1e-6
+              beside k = aimed (atan2 (sqrt (ntheta * ntheta + nphi * nphi)) (negate nr) + k * apart * cos towards) (atan2 (negate ntheta) nphi + k * apart * sin towards)
+              look = lightRay hole at ZeroAngularMomentum . beside
+           in case (look 0, look 1, look (-1)) of
+                (Just ray, Just one, Just other)
+                  | farFromEdge table ray,
+                    Escaped to <- kerrFate (kerrPath hole (BoyerLindquist 0.4) one),
+                    Escaped back <- kerrFate (kerrPath hole (BoyerLindquist 0.4) other),
+                    Just (LensChanges change _) <- tabulatedChanges table (BoyerLindquist 0.4) ray one other ->
+                    let expected = (0.5 / apart) *^ (to ^-^ back)
+                     in nearXYZ (2e-3 * (1 + XYZ.norm expected)) expected ((1 / apart) *^ change)
+                _ -> discard
+  it "has the edge of the shadow where the closed form has it" $
+    sequence_
+      [ fromMaybe 1 (lightRay hole at AtRest (shadowEdge (fromMaybe (error "no shadow") (shadow hole at)) alpha) >>= tabulatedOffset (skyTable hole at)) `shouldBeWithin` (1e-9, 0)
+        | (s, r, theta) <- [(0.9, 20, 1.4), (0.998, 10, 0.5), (-0.7, 5, 2.1)],
+          let hole = spinOf s
+              at = Place r theta,
+          alpha <- [0.1, 0.6 .. 6.2]
+      ]
+  it "leaves rays from another place, and from inside the horizon, to the closed form" $ do
+    let hole = spinOf 0.9
+        fateFrom table r = lightRay hole (Place r 1.2) InFreeFall (aimed 2 0.3) >>= tabulatedFate table (Ingoing 0)
+    isJust (fateFrom (skyTable hole (Place 6 1.2)) 6) `shouldBe` True
+    isJust (fateFrom (skyTable hole (Place 6 1.2)) 6.001) `shouldBe` False
+    isJust (fateFrom (skyTable hole (Place 6 1.201)) 6) `shouldBe` False
+    isJust (fateFrom (skyTable hole (Place 0.6 1.2)) 0.6) `shouldBe` False
+  where
+    place = do
+      s <- oneof [choose (-0.999, 0.999), choose (-0.01, 0.01), pure 0.998]
+      r <- exp <$> choose (log 1.3, log 60)
+      theta <- choose (0.02, pi - 0.02)
+      pure (s, r, theta :: Double)
+    -- Half of the directions near the hole.
+    direction r = aimed <$> oneof [choose (0, pi), (\x -> x * 4 / (r + 3)) <$> choose (0, 1)] <*> choose (-pi, pi)
+    farFromEdge table ray = maybe False ((> 1e-4 / rayRadius ray) . abs) (tabulatedOffset table ray)
