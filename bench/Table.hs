@@ -4,6 +4,8 @@ module Table (printTable) where
 
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene (Scene (..))
+import BlackHole.Spacetime.Kerr.Landmarks (dimensionlessSpin, spin)
+import BlackHole.Spacetime.Kerr.Sight (Place (..))
 import Control.Concurrent (threadDelay)
 import Control.Exception (evaluate, finally)
 import Control.Monad (forM, replicateM, unless, void, when)
@@ -57,6 +59,8 @@ printTable program huge = do
     mapM_ (reportPrice drawing) prices
     printf "\n%-46s %8s %8s %6s  %s\n" "two workers against one" "1, s" "2, s" "ratio" "target 1.85"
     mapM_ (reportScaling drawing) scalings
+    printf "\n%-46s %8s %8s %6s  %s\n" "a spin of 0.9 against none" "0, s" "0.9, s" "ratio" "target"
+    mapM_ (reportSpin drawing) spins
     printf "\n%-46s %8s %8s %6s\n" "cost per pixel, default scene, 1 sample" "s" "µs/pixel" "MB"
     mapM_ (reportSize drawing) ([320, 640, 1280, 1920, 3840] ++ [7680 | huge])
   putStrLn ""
@@ -99,6 +103,16 @@ scalings =
     lensing {workName = "lensing alone, 3840 × 2160, grid sky", workWidth = 3840}
   ]
 
+-- | A picture so small that it shows the time until the first pixel of a greater one: its
+-- rays need all parts of the table.
+spins :: [Work]
+spins =
+  [ Work "default, 960 × 540" [] 960 4 "1.6",
+    Work "lensing alone, point stars, 960 × 540" ["--no-disk", "--sky", "random-stars"] 960 4 "3",
+    Work "set-up: lensing alone, 48 × 27, grid sky" ["--no-disk", "--sky", "grid"] 48 1 "0.15 s more",
+    Work "set-up: default, 48 × 27" [] 48 1 "0.15 s more"
+  ]
+
 -- | Rays of a picture, in millions.
 megarays :: Work -> Double
 megarays work = fromIntegral (workWidth work * (workWidth work * 9 `quot` 16) * workSamples work) / 1e6
@@ -119,6 +133,11 @@ reportScaling :: Drawing -> Work -> IO ()
 reportScaling drawing work = do
   (ones, twos) <- inTurns 5 (drawingTime drawing ["--threads", "1"] work) (drawingTime drawing ["--threads", "2"] work)
   printf "%-46s %8.2f %8.2f %6.2f\n" (workName work) ones twos (ones / twos)
+
+reportSpin :: Drawing -> Work -> IO ()
+reportSpin drawing work = do
+  (without, with) <- inTurns 5 (drawingTime drawing ["--spin", "0"] work) (drawingTime drawing ["--spin", "0.9"] work)
+  printf "%-46s %8.3f %8.3f %6.2f  %s\n" (workName work) without with (with / without) (workTarget work)
 
 reportPrice :: Drawing -> (String, [String], [String]) -> IO ()
 reportPrice drawing (name, before, after) = do
@@ -150,6 +169,14 @@ reportErrors = do
     pure found
   let TableError sky crossing fates = mconcat worst
   printf "%-46s %8.1e %8.1e %6d\n" "all" sky crossing fates
+  printf "\n%-46s %8s %8s %6s %12s\n" "error around a rotating hole (1e-6, 1e-5)" "sky" "crossing" "fates" "closed form"
+  sequence_
+    [ printf "%-46s %8.1e %8.1e %6d %10.2f %%\n" (printf "spin %.3f, r = %.1f, inclination %.0f°" s r inclination :: String) (skyError found) (crossingError found) (wrongFates found) (100 * closed)
+      | Just hole <- map spin [0.01, 0.5, 0.9, 0.998, -0.998],
+        (r, inclination) <- [(1.5, 60), (5, 20), (30, 80), (54, 77), (1000, 89)],
+        let s = dimensionlessSpin hole
+            (found, closed) = kerrTableError 20000 hole (Place r (inclination * pi / 180))
+    ]
 
 -- | Prints the speed of noise from tables relative to hashing every lattice point.
 reportNoise :: String -> Scene -> IO ()
