@@ -14,13 +14,14 @@ import qualified PathBench
 import qualified SkyBench
 import System.Environment (getArgs)
 import System.IO (hSetEncoding, stdout, utf8)
-import Table (printTable)
+import Table (printSpinTable, printTable)
 
 main :: IO ()
 main = do
   hSetEncoding stdout utf8
   arguments <- getArgs
   case arguments of
+    "--table" : program : rest | "--spin" `elem` rest -> printSpinTable program
     "--table" : program : rest -> printTable program ("--huge" `elem` rest)
     _ ->
       defaultMain

@@ -1,6 +1,6 @@
 -- | The table of the program's time and memory, its scaling, and the accuracy of its
 -- approximations. The pictures are rendered by the program itself, as users run it.
-module Table (printTable) where
+module Table (printTable, printSpinTable) where
 
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene (Scene (..))
@@ -45,11 +45,7 @@ data Work = Work
 -- picture of 7680 × 4320 if @huge@. Takes six minutes on two idle cores.
 printTable :: FilePath -> Bool -> IO ()
 printTable program huge = do
-  hSetBuffering stdout LineBuffering
-  folder <- getTemporaryDirectory
-  let output = folder </> "blackhole-bench.png"
-      drawing = Drawing (timeToDraw program output) (memoryToDraw program output)
-  flip finally (removeFile output `catchIOError` const (pure ())) $ do
+  withDrawing program $ \drawing -> do
     printf "%-46s %8s %8s %6s  %s\n" "picture" "s" "Mray/s" "MB" "target"
     tabulated <- reportWork drawing 3 reportTable
     mapM_ (reportWork drawing 3) works
@@ -59,17 +55,35 @@ printTable program huge = do
     mapM_ (reportPrice drawing) prices
     printf "\n%-46s %8s %8s %6s  %s\n" "two workers against one" "1, s" "2, s" "ratio" "target 1.85"
     mapM_ (reportScaling drawing) scalings
-    printf "\n%-46s %8s %8s %6s  %s\n" "a spin of 0.9 against none" "0, s" "0.9, s" "ratio" "target"
-    mapM_ (reportSpin drawing) spins
+    putStrLn ""
+    reportSpins drawing
     printf "\n%-46s %8s %8s %6s\n" "cost per pixel, default scene, 1 sample" "s" "µs/pixel" "MB"
     mapM_ (reportSize drawing) ([320, 640, 1280, 1920, 3840] ++ [7680 | huge])
   putStrLn ""
   reportErrors
   putStrLn ""
+  reportKerrErrors
+  putStrLn ""
   reportNoise "default" defaultScene
   reportNoise "report" reportScene
   putStrLn ""
   mapM_ (reportStart program) ["--version", "--help"]
+
+-- | @printSpinTable program@ prints the part of the table about rotating holes.
+printSpinTable :: FilePath -> IO ()
+printSpinTable program = do
+  withDrawing program reportSpins
+  putStrLn ""
+  reportKerrErrors
+
+-- | Draws pictures by a program into a file that is removed in the end.
+withDrawing :: FilePath -> (Drawing -> IO a) -> IO a
+withDrawing program action = do
+  hSetBuffering stdout LineBuffering
+  folder <- getTemporaryDirectory
+  let output = folder </> "blackhole-bench.png"
+  action (Drawing (timeToDraw program output) (memoryToDraw program output))
+    `finally` (removeFile output `catchIOError` const (pure ()))
 
 works :: [Work]
 works =
@@ -103,8 +117,8 @@ scalings =
     lensing {workName = "lensing alone, 3840 × 2160, grid sky", workWidth = 3840}
   ]
 
--- | A picture so small that it shows the time until the first pixel of a greater one: its
--- rays need all parts of the table.
+-- | What a spin costs. The last two pictures are so small that they show how much longer
+-- the first pixel takes: their rays need most parts of the table.
 spins :: [Work]
 spins =
   [ Work "default, 960 × 540" [] 960 4 "1.6",
@@ -133,6 +147,11 @@ reportScaling :: Drawing -> Work -> IO ()
 reportScaling drawing work = do
   (ones, twos) <- inTurns 5 (drawingTime drawing ["--threads", "1"] work) (drawingTime drawing ["--threads", "2"] work)
   printf "%-46s %8.2f %8.2f %6.2f\n" (workName work) ones twos (ones / twos)
+
+reportSpins :: Drawing -> IO ()
+reportSpins drawing = do
+  printf "%-46s %8s %8s %6s  %s\n" "a spin of 0.9 against none" "0, s" "0.9, s" "ratio" "target"
+  mapM_ (reportSpin drawing) spins
 
 reportSpin :: Drawing -> Work -> IO ()
 reportSpin drawing work = do
@@ -169,7 +188,11 @@ reportErrors = do
     pure found
   let TableError sky crossing fates = mconcat worst
   printf "%-46s %8.1e %8.1e %6d\n" "all" sky crossing fates
-  printf "\n%-46s %8s %8s %6s %12s\n" "error around a rotating hole (1e-6, 1e-5)" "sky" "crossing" "fates" "closed form"
+
+-- | Prints the errors of the table around a rotating hole, relative to the closed form.
+reportKerrErrors :: IO ()
+reportKerrErrors = do
+  printf "%-46s %8s %8s %6s %12s\n" "error around a rotating hole (1e-6, 1e-5)" "sky" "crossing" "fates" "closed form"
   sequence_
     [ printf "%-46s %8.1e %8.1e %6d %10.2f %%\n" (printf "spin %.3f, r = %.1f, inclination %.0f°" s r inclination :: String) (skyError found) (crossingError found) (wrongFates found) (100 * closed)
       | Just hole <- map spin [0.01, 0.5, 0.9, 0.998, -0.998],

@@ -222,11 +222,16 @@ rayFanFigure fan@(RayFan _ extent width rotation) =
     marks =
       [ Words . Label (at (-0.97 * extent) (b + rise * font / unit)) AtStart font ink True $
           [ Plain ("b = " ++ sign ++ "b"),
-            Subscript "c",
+            Subscript name,
             Plain (" = " ++ sign ++ decimals 3 (abs b))
           ]
-        | (b, sign, rise) <- [(criticalAbove, "", 0.5), (criticalBelow, "\8722", -1.15)]
+        | (b, sign, rise, name) <- [(criticalAbove, "", 0.5, sense LeftHanded), (criticalBelow, "\8722", -1.15, sense RightHanded)]
       ]
+    -- Light that passes below the hole turns right-handed.
+    sense handedness
+      | not rotating = "c"
+      | handedness == prograde = "prograde"
+      | otherwise = "retrograde"
 
     frame =
       Polyline
@@ -288,8 +293,8 @@ rayFanFigure fan@(RayFan _ extent width rotation) =
       | rotating =
         [ (sampleDisc ink, "horizon, " ++ decimals 3 (Kerr.horizonRadius rotation)),
           (sampleDisc ergosphereColour, "ergosphere, 1"),
-          (sampleLine ink nearDashes, "prograde, " ++ decimals 3 (photonOrbitRadius prograde rotation)),
-          (sampleLine ink farDashes, "retrograde photon orbit, " ++ decimals 3 (photonOrbitRadius retrograde rotation))
+          (sampleLine ink nearDashes, "prograde photon orbit, " ++ decimals 3 (photonOrbitRadius prograde rotation)),
+          (sampleLine ink farDashes, "retrograde, " ++ decimals 3 (photonOrbitRadius retrograde rotation))
         ]
       | otherwise =
         [ (sampleDisc ink, "horizon, r = 1"),
@@ -298,8 +303,8 @@ rayFanFigure fan@(RayFan _ extent width rotation) =
     -- Space for the preceding entries in units of the legend's font size, sufficient
     -- for the widest common sans-serif fonts.
     legendStart n = left + legendFont * sum (take n widths)
-    widths = [7.8, 8.6, 15.4] ++ (if rotating then [11, 10.5, 11] else [11 :: Double])
-    legendFont = (if rotating then 0.66 else 0.86) * font
+    widths = [7.8, 8.6, 15.4] ++ (if rotating then [11, 10.5, 18] else [11 :: Double])
+    legendFont = (if rotating then 0.62 else 0.86) * font
     entry n (sample, s) =
       let x = legendStart n
           y = 0.45 * top

@@ -1,11 +1,23 @@
 module BlackHole.Spacetime.Kerr.SkyTableSpec (spec) where
 
+import BlackHole.Light.Radiance (black)
+import BlackHole.Numeric.Angle (Degrees (..))
+import BlackHole.Numeric.Bisection (bisect)
+import BlackHole.Scene.Camera
+import BlackHole.Scene.Preset (defaultScene)
+import BlackHole.Scene.Scene
+import BlackHole.Scene.Sky
 import BlackHole.Spacetime.Fate
+import BlackHole.Spacetime.Kerr.Landmarks
 import BlackHole.Spacetime.Kerr.Path
 import BlackHole.Spacetime.Kerr.Shadow
 import BlackHole.Spacetime.Kerr.Sight
 import BlackHole.Spacetime.Kerr.SkyTable
 import BlackHole.Spacetime.Schwarzschild.LensDifferential (LensChanges (..))
+import BlackHole.Spacetime.Types (Spacetime (..))
+import BlackHole.Trace.Ray (sightRadiance)
+import BlackHole.Trace.Tracer (tracer)
+import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ ((*^), (^-^))
 import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Maybe (fromMaybe, isJust)
@@ -14,6 +26,7 @@ import Support.KerrReference
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck
+import Text.Read (readMaybe)
 
 spec :: Spec
 spec = do
@@ -67,6 +80,36 @@ spec = do
               at = Place r theta,
           alpha <- [0.1, 0.6 .. 6.2]
       ]
+  it "makes pictures whose shadow ends where 30-digit shooting finds it" $ do
+    rows <- kerrRows "kerr-shadow.csv"
+    length rows `shouldSatisfy` (> 5)
+    sequence_
+      [ do
+          edge (\x -> XY x 0) `shouldMatchDegrees` psiRight
+          edge (\x -> XY (negate x) 0) `shouldMatchDegrees` psiLeft
+          edge (XY 0) `shouldMatchDegrees` psiUp
+          maximum [edge (XY x) | x <- widest (negate (sideways (\x -> XY (negate x) 0)), sideways (\x -> XY x 0)) 6] `shouldMatchDegrees` top
+        | s : r : i : "static" : _ : _ : top : _ : psiRight : psiUp : psiLeft : _ <- rows,
+          let scene =
+                defaultScene
+                  { scenePicture = Picture 64 36,
+                    sceneCamera = Camera (Around (read r) (Degrees (read i)) (Degrees 90)) (Degrees 0) (Degrees 90),
+                    sceneSpacetime = maybe Schwarzschild (\hole -> if hole == noSpin then Schwarzschild else Kerr hole) (spin (read s)),
+                    sceneDisk = Nothing,
+                    sceneSky = SkyUniform 1
+                  }
+              dark = maybe (const False) (\traced (XY x y) -> sightRadiance traced (XY (32 + 32 * x) (18 - 32 * y)) == black) (tracer scene)
+              -- The angle at which the shadow ends on a line upwards or sideways.
+              edge line = 180 / pi * atan (sideways line)
+              sideways line = bisect (dark . line) 0 20
+              -- Places between the shadow's ends, closer and closer to where it is highest.
+              widest (from, to) n
+                | n <= (0 :: Int) = places
+                | otherwise = widest (best - (to - from) / 10, best + (to - from) / 10) (n - 1)
+                where
+                  places = [from + (to - from) * fromIntegral k / 20 | k <- [0 .. 20 :: Int]]
+                  best = snd (maximum [(edge (XY x), x) | x <- places])
+      ]
   it "leaves rays from another place, and from inside the horizon, to the closed form" $ do
     let hole = spinOf 0.9
         fateFrom table r = lightRay hole (Place r 1.2) InFreeFall (aimed 2 0.3) >>= tabulatedFate table (Ingoing 0)
@@ -75,6 +118,7 @@ spec = do
     isJust (fateFrom (skyTable hole (Place 6 1.201)) 6) `shouldBe` False
     isJust (fateFrom (skyTable hole (Place 0.6 1.2)) 0.6) `shouldBe` False
   where
+    shouldMatchDegrees found cell = maybe (pure ()) (\known -> found `shouldBeWithin` (1e-7, known)) (readMaybe cell)
     place = do
       s <- oneof [choose (-0.999, 0.999), choose (-0.01, 0.01), pure 0.998]
       r <- exp <$> choose (log 1.3, log 60)
