@@ -5,6 +5,11 @@ module Main (main) where
 import BlackHole.Numeric.Bisection (bisect)
 import BlackHole.SelfTest.Physics (deflectionReferences)
 import BlackHole.Spacetime.Fate (Fate (..))
+import BlackHole.Spacetime.Kerr.Landmarks (spin)
+import BlackHole.Spacetime.Kerr.Path
+import BlackHole.Spacetime.Kerr.Shadow
+import BlackHole.Spacetime.Kerr.Sight
+import BlackHole.Spacetime.Kerr.SkyTable
 import BlackHole.Spacetime.LightPath
 import BlackHole.Spacetime.Observer
 import BlackHole.Spacetime.Photon
@@ -30,7 +35,9 @@ main = do
         (\(name, plot) -> writeFile (folder </> name) (plotSvg plot))
         [ ("deflection.svg", deflectionPlot),
           ("leapfrog-order.svg", orderPlot),
-          ("shadow-radius.svg", shadowPlot)
+          ("shadow-radius.svg", shadowPlot),
+          ("kerr-shadow.svg", kerrShadowPlot),
+          ("kerr-table-error.svg", kerrTablePlot)
         ]
     _ -> die "usage: ValidationPlots FOLDER"
 
@@ -86,6 +93,60 @@ shadowPlot =
   where
     places = [1.05, 1.2, 1.5, 2, 2.5, 3, 4, 6, 8, 10, 14, 20, 30, 50, 80]
     synge r = (if r < 1.5 then (180 -) else id) (180 / pi * asin (min 1 (critical * sqrt (1 - 1 / r) / r)))
+
+-- | The edge of the shadow around holes of several spins.
+kerrShadowPlot :: Plot
+kerrShadowPlot =
+  Plot
+    { plotTitle = "Edge of the shadow for an observer at rest, r = 20, inclination 80°",
+      plotAcross = Axis "degrees to the right" (Steps [-10, -7 .. 17]),
+      plotUp = Axis "degrees upwards" (Steps [-8, -4 .. 8]),
+      plotSeries =
+        [ Points "#222222" "reference, 30 and 45 digits" (concat [[(left, 0), (right, 0), (0, up), (0, negate up)] | (_, _, left, right, up) <- references])
+        ]
+          ++ [ Curve colour ("spin " ++ show s) [outline hole alpha | alpha <- [0, 0.01 .. 2 * pi + 0.01]]
+               | (s, colour, _, _, _) <- reverse references,
+                 Just hole <- [spin s]
+             ]
+    }
+  where
+    -- From test/reference/kerr-shadow.csv: along the horizontal and upwards.
+    references =
+      [ (-0.7, "#d08020", -9.0167011701096698, 5.0518184862784752, 7.0026789044901205),
+        (0, "#999999", -7.2740048811844336, 7.2740048811844336, 7.2740048811844336),
+        (0.6, "#2060c0", -5.4354263001410861, 8.7818693523571488, 7.0793515563852235),
+        (0.999, "#c02020", -3.0169931180405048, 9.698938177063176, 6.651632434663172)
+      ]
+    outline hole alpha = case shadow hole (Place 20 (80 * pi / 180)) of
+      Just edge | Direction nr ntheta nphi <- shadowEdge edge alpha -> (180 / pi * atan2 nphi (negate nr), 180 / pi * atan2 (negate ntheta) (negate nr))
+      Nothing -> (0 / 0, 0 / 0)
+
+-- | The error of the table of the sky around rotating holes.
+kerrTablePlot :: Plot
+kerrTablePlot =
+  Plot
+    { plotTitle = "Table of the sky, r = 30, inclination 80°: error of the direction",
+      plotAcross = Axis "angle from the edge of the shadow (rad)" (decades (-7) 0),
+      plotUp = Axis "error (rad)" (decades (-12) (-5)),
+      plotSeries =
+        [ Points colour ("spin " ++ show s) (concat [errors hole (skyTable hole place) around away | around <- [0.2, 0.7 .. 6.2], away <- geometric 1e-7 1 30])
+          | (s, colour) <- [(0.998, "#c02020"), (0.9, "#d08020"), (0.3, "#2060c0")],
+            Just hole <- [spin s]
+        ]
+    }
+  where
+    place = Place 30 (80 * pi / 180)
+    errors hole table alpha away =
+      [ (away, XYZ.distance found known)
+        | Just edge <- [shadow hole place],
+          let Direction nr ntheta nphi = shadowEdge edge alpha
+              across = sqrt (ntheta * ntheta + nphi * nphi)
+              psi = atan2 across (negate nr) + away
+              tilt = sin psi / across,
+          Just ray <- [lightRay hole place AtRest (Direction (negate (cos psi)) (tilt * ntheta) (tilt * nphi))],
+          Just (Escaped found) <- [tabulatedFate table (BoyerLindquist 0) ray],
+          Escaped known <- [kerrFate (kerrPath hole (BoyerLindquist 0) ray)]
+      ]
 
 -- | Degrees between the direction of the hole and the edge of the shadow.
 seenBy :: Observer -> Double -> Double
