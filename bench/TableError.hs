@@ -105,9 +105,9 @@ kerrTableError count hole place@(Place r _) =
         crossings =
           maximum
             ( 0 :
-              [ XYZ.distance (placed known) (placed found)
-                | (known, found) <- zip (kerrPlanePoints path) (kerrPlanePoints (kerrPathWith PicturePrecision hole azimuth ray)),
-                  pointRadius known < 30
-              ]
+                [ XYZ.distance (placed known) (placed found)
+                  | (known, found) <- zip (kerrPlanePoints path) (kerrPlanePoints (kerrPathWith PicturePrecision hole azimuth ray)),
+                    pointRadius known < 30
+                ]
             )
     placed point = XYZ (pointRadius point * sin (pointAzimuth point)) 0 (pointRadius point * cos (pointAzimuth point))

@@ -102,12 +102,11 @@ kerrShadowPlot =
       plotAcross = Axis "degrees to the right" (Steps [-10, -7 .. 17]),
       plotUp = Axis "degrees upwards" (Steps [-8, -4 .. 8]),
       plotSeries =
-        [ Points "#222222" "reference, 30 and 45 digits" (concat [[(left, 0), (right, 0), (0, up), (0, negate up)] | (_, _, left, right, up) <- references])
-        ]
-          ++ [ Curve colour ("spin " ++ show s) [outline hole alpha | alpha <- [0, 0.01 .. 2 * pi + 0.01]]
-               | (s, colour, _, _, _) <- reverse references,
-                 Just hole <- [spin s]
-             ]
+        Points "#222222" "reference, 30 and 45 digits" (concat [[(left, 0), (right, 0), (0, up), (0, negate up)] | (_, _, left, right, up) <- references]) :
+          [ Curve colour ("spin " ++ show s) [outline hole alpha | alpha <- [0, 0.01 .. 2 * pi + 0.01]]
+            | (s, colour, _, _, _) <- reverse references,
+              Just hole <- [spin s]
+          ]
     }
   where
     -- From test/reference/kerr-shadow.csv: along the horizontal and upwards.

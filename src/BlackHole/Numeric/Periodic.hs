@@ -41,7 +41,7 @@ resolution n =
 periodicIntegral :: Resolution -> (Double -> Double) -> Periodic
 periodicIntegral (Resolution n places weights) f = Periodic (coefficient 0) (generatePrimArray (n - 1) (\k -> coefficient (k + 1)))
   where
-    !values = generatePrimArray (n + 1) (\j -> f (indexPrimArray places j))
+    !values = generatePrimArray (n + 1) (f . indexPrimArray places)
     coefficient k = go 0 0
       where
         go :: Int -> Double -> Double

@@ -65,7 +65,7 @@ followKerr hole region phase path fate ray gather initial
     passages !n ((from, to) : rest) state = begin n phase from to rest state
 
     -- Gathers between two Mino times, from the closed form's point.
-    begin !n !lead !from !to rest state =
+    begin !n !lead !from !to rest !state =
       march n lead to (to - from) w w' u (pointCosineRate point) (turning w u) sine cosine rest state
       where
         !point = kerrPoint path from

@@ -128,7 +128,7 @@ phaseAfter l time = go (8 :: Int) (phaseAt (target / integralPerRadian times))
     target = _latitudeStartTime l + time
     phaseAt angle = Phase angle (sin angle) (cos angle)
     go rounds phase@(Phase angle s c)
-      | rounds <= 0 || not (abs change > 1e-9) = changed
+      | rounds <= 0 || abs change <= 1e-9 = changed
       | otherwise = go (rounds - 1) changed
       where
         change = (target - timeOf times phase) * phaseSpeed l phase

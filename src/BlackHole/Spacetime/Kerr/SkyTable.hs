@@ -13,7 +13,7 @@
 -- orbits and everything varies as the logarithm of the distance. The table therefore
 -- holds the direction of escape as a function of ε and of @ln (1 − w\/w_c)@, as
 -- polynomials on rectangles that are halved until they are accurate
--- ("BlackHole.Numeric.Patch"). A rectangle is computed when the first ray falls into it,
+-- ("BlackHole.Vector.Patch"). A rectangle is computed when the first ray falls into it,
 -- so a picture pays only for the part of the sky that it shows.
 --
 -- /The closed form/ ("BlackHole.Spacetime.Kerr.Path") serves where the table does not:
@@ -31,13 +31,13 @@ where
 import BlackHole.Numeric.Angle (arcTangent2, quarterTangent)
 import BlackHole.Numeric.Bisection (bisect)
 import BlackHole.Numeric.Floor (turnFraction)
-import BlackHole.Numeric.Patch
 import BlackHole.Spacetime.Fate
 import BlackHole.Spacetime.Kerr.Landmarks
 import BlackHole.Spacetime.Kerr.Path
 import BlackHole.Spacetime.Kerr.Radial (lightEscapes)
 import BlackHole.Spacetime.Kerr.Sight
 import BlackHole.Spacetime.Schwarzschild.LensDifferential (LensChanges (..))
+import BlackHole.Vector.Patch
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
 import Data.Primitive.Array (Array, arrayFromListN, indexArray, sizeofArray)
 

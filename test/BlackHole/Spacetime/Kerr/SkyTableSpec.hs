@@ -42,8 +42,8 @@ spec = do
                     (Just (Escaped found), Escaped known) -> nearXYZ (if farFromEdge table ray then 1e-6 else 1e-4) known found
                     (Just found, known) -> fateName found === fateName known
                   | (motion, to, phi) <- sights,
-                    Just ray <- [lightRay hole (Place r theta) motion to],
-                    let azimuth = if motion == InFreeFall then Ingoing phi else BoyerLindquist phi
+                    let azimuth = if motion == InFreeFall then Ingoing phi else BoyerLindquist phi,
+                    Just ray <- [lightRay hole (Place r theta) motion to]
                 ]
   it "serves for all but a few directions" $
     sequence_
@@ -85,10 +85,10 @@ spec = do
     length rows `shouldSatisfy` (> 5)
     sequence_
       [ do
-          edge (\x -> XY x 0) `shouldMatchDegrees` psiRight
+          edge (`XY` 0) `shouldMatchDegrees` psiRight
           edge (\x -> XY (negate x) 0) `shouldMatchDegrees` psiLeft
           edge (XY 0) `shouldMatchDegrees` psiUp
-          maximum [edge (XY x) | x <- widest (negate (sideways (\x -> XY (negate x) 0)), sideways (\x -> XY x 0)) 6] `shouldMatchDegrees` top
+          maximum [edge (XY x) | x <- widest (negate (sideways (\x -> XY (negate x) 0)), sideways (`XY` 0)) 6] `shouldMatchDegrees` top
         | s : r : i : "static" : _ : _ : top : _ : psiRight : psiUp : psiLeft : _ <- rows,
           let scene =
                 defaultScene

@@ -7,7 +7,7 @@
 -- Chebyshev nodes. Along a line of nodes the values also give the last two of the
 -- function's Chebyshev coefficients. These fall geometrically for a smooth function, so
 -- that they bound the error of leaving out all further ones.
-module BlackHole.Numeric.Patch
+module BlackHole.Vector.Patch
   ( Patch,
     Rectangle (..),
     patch,

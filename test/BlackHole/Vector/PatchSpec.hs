@@ -1,9 +1,9 @@
-module BlackHole.Numeric.PatchSpec (spec) where
+module BlackHole.Vector.PatchSpec (spec) where
 
-import BlackHole.Numeric.Patch
+import BlackHole.Vector.Patch
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ
-import Data.Maybe (isJust)
+import Data.Maybe (isJust, isNothing)
 import Support.Approx
 import Support.Generators
 import Test.Hspec
@@ -27,7 +27,7 @@ spec = do
       Nothing -> counterexample "far from the jump" (abs (x - 0.3) < 0.4)
       Just value -> nearXYZ 1e-6 (step x y) value
   prop "where the function has no value the patch has none" $
-    forAll inside $ \(x, y) -> not (isJust (patchValue (patch 1e-6 3 (\_ _ -> Nothing) rectangle) x y))
+    forAll inside $ \(x, y) -> isNothing (patchValue (patch 1e-6 3 (\_ _ -> Nothing) rectangle) x y)
   it "a curve has the values of its function, or is none" $ do
     let smooth = curve 1e-9 16 cos 0.5 0.7
     [fmap (abs . subtract (cos x) . (`curveValue` x)) smooth | x <- [-0.2, -0.1 .. 1.2]] `shouldSatisfy` all (maybe False (< 1e-9))
