@@ -27,6 +27,8 @@ import Text.Read (readMaybe)
 data Drawing = Drawing
   { -- | Seconds, without observing the process.
     drawingTime :: [String] -> Work -> IO Double,
+    -- | Seconds of processor time, by one worker.
+    drawingProcessorTime :: [String] -> Work -> IO Double,
     -- | Greatest resident memory in megabytes; 'Nothing' if the system does not report
     -- it.
     drawingMemory :: [String] -> Work -> IO (Maybe Double)
@@ -82,7 +84,7 @@ withDrawing program action = do
   hSetBuffering stdout LineBuffering
   folder <- getTemporaryDirectory
   let output = folder </> "blackhole-bench.png"
-  action (Drawing (timeToDraw program output) (memoryToDraw program output))
+  action (Drawing (timeToDraw program output) (processorTimeToDraw program output) (memoryToDraw program output))
     `finally` (removeFile output `catchIOError` const (pure ()))
 
 works :: [Work]
@@ -150,12 +152,12 @@ reportScaling drawing work = do
 
 reportSpins :: Drawing -> IO ()
 reportSpins drawing = do
-  printf "%-46s %8s %8s %6s  %s\n" "a spin of 0.9 against none" "0, s" "0.9, s" "ratio" "target"
+  printf "%-46s %8s %8s %6s  %s\n" "a spin of 0.9 against none, processor time" "0, s" "0.9, s" "ratio" "target"
   mapM_ (reportSpin drawing) spins
 
 reportSpin :: Drawing -> Work -> IO ()
 reportSpin drawing work = do
-  (without, with) <- inTurns 5 (drawingTime drawing ["--spin", "0"] work) (drawingTime drawing ["--spin", "0.9"] work)
+  (without, with) <- inTurns 5 (drawingProcessorTime drawing ["--spin", "0"] work) (drawingProcessorTime drawing ["--spin", "0.9"] work)
   printf "%-46s %8.3f %8.3f %6.2f  %s\n" (workName work) without with (with / without) (workTarget work)
 
 reportPrice :: Drawing -> (String, [String], [String]) -> IO ()
@@ -223,6 +225,19 @@ reportStart program option = do
 timeToDraw :: FilePath -> FilePath -> [String] -> Work -> IO Double
 timeToDraw program output more work =
   fst <$> timed (drawn output (callProcess program (arguments output more work)))
+
+-- | As the shell's @times@ reports it, so that other load on the machine counts little.
+processorTimeToDraw :: FilePath -> FilePath -> [String] -> Work -> IO Double
+processorTimeToDraw program output more work =
+  drawn output (readProcess "sh" (["-c", "\"$@\" && times", "sh", program] ++ arguments output (["--threads", "1"] ++ more) work) "") >>= \report ->
+    case [seconds | word <- concatMap words (drop 1 (lines report)), Just seconds <- [shellSeconds word]] of
+      [inProgram, inKernel] -> pure (inProgram + inKernel)
+      _ -> ioError (userError ("times: " ++ report))
+  where
+    -- Minutes and seconds, as in 0m1.25s.
+    shellSeconds word = case break (== 'm') word of
+      (minutes, _ : rest) -> (\m t -> 60 * m + t) <$> readMaybe minutes <*> readMaybe (takeWhile (/= 's') rest)
+      _ -> Nothing
 
 memoryToDraw :: FilePath -> FilePath -> [String] -> Work -> IO (Maybe Double)
 memoryToDraw program output more work =

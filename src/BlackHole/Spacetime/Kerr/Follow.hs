@@ -62,7 +62,8 @@ followKerr hole region phase path fate ray gather initial
     windows = kerrPassages path reach steepest
 
     passages !n [] state = finish n state
-    passages !n ((from, to) : rest) state = begin n phase from to rest state
+    -- The bound is for light that circles for ever, in every bit.
+    passages !n ((from, to) : rest) state = begin n phase from (min to (from + 200)) rest state
 
     -- Gathers between two Mino times, from the closed form's point.
     begin !n !lead !from !to rest !state =
