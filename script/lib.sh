@@ -125,7 +125,7 @@ state() (
   cd "$root" || exit
   [ ! -e "$explore_mark" ] || echo 'with the live view'
   find "$@" blackhole.cabal cabal.project stack.yaml -type f \
-    \( -name '*.hs' -o -name '*.bin' -o -name 'page.*' -o -name blackhole.cabal -o -name cabal.project -o -name stack.yaml \) \
+    \( -name '*.hs' -o -name '*.c' -o -name '*.bin' -o -name 'page.*' -o -name blackhole.cabal -o -name cabal.project -o -name stack.yaml \) \
     -exec cksum {} + 2>/dev/null | LC_ALL=C sort
 )
 
@@ -382,7 +382,7 @@ stack_build() {
 build_or_fail() {
   : >"$log"
   # The compiler knows nothing of the files that the assembler includes.
-  [ -z "$(find "$root/data/explore" -newer "$root/data/explore/page.c")" ] || touch "$root/data/explore/page.c"
+  [ -z "$(find "$root/data" -newer "$root/data/embedded.c")" ] || touch "$root/data/embedded.c"
   watched "${way}_build" "$@" && return 0
   # From the first error on, less the progress: warnings go before it.
   sed -n '/[Ee]rror:/,$p' "$log" | grep -v '^\[ *[0-9]* of ' >&2 || tail -n 40 "$log" >&2
@@ -422,7 +422,7 @@ compile_script() {
   cd "$root" || exit
   # shellcheck disable=SC2086
   watched $compiler -O1 -threaded -isrc -ibackend/vector -outputdir "$build/$1" \
-    data/sky/sky.c "script/$1.hs" -o "$build/$1/run" || {
+    data/embedded.c src/BlackHole/Image/Exhaustion.c "script/$1.hs" -o "$build/$1/run" || {
     cat "$log" >&2
     fail "script/$1.hs cannot be compiled"
   }
