@@ -49,15 +49,14 @@ static void remove_files(void) {
 
 static int exhausted_code;
 
-/* Needs no memory. The limit -M of the run-time system says "Heap exhausted". */
+/* Allocates nothing. The limit -M of the run-time system says "Heap exhausted". */
 static void end_if_exhausted(const char *format) {
   static const char line[] = "blackhole: out of memory: make the picture smaller, or render it in tiles (--tile I/N)\n";
   if (!strstr(format, "out of memory") && !strstr(format, "eap exhausted") && !strstr(format, "bytes of memory"))
     return;
   remove_files();
-  if (write(2, line, sizeof line - 1) < 0) {
-    /* Nobody can be told. */
-  }
+  ssize_t written = write(2, line, sizeof line - 1);
+  (void)written;
   _exit(exhausted_code);
 }
 
