@@ -2,15 +2,18 @@
 module Main (main) where
 
 import BlackHole.Cli.Descriptors (openClosedDescriptors)
+import BlackHole.Cli.ExitStatus (ExitStatus (BadInput), exitCode)
 import BlackHole.Cli.FastExit (fastExit)
 import BlackHole.Cli.Run (run)
 import BlackHole.Cli.Signals (stoppable)
+import BlackHole.Image.Exhaustion (handleExhaustion)
 import System.Environment (getArgs)
 import System.IO (BufferMode (LineBuffering), hSetBuffering, hSetEncoding, mkTextEncoding, stderr, stdout)
 
 main :: IO ()
 main = do
   openClosedDescriptors
+  handleExhaustion (exitCode BadInput)
   -- Without a locale, the first letter outside ASCII in a message would end the
   -- program, and messages repeat arguments.
   encoding <- mkTextEncoding "UTF-8//ROUNDTRIP"

@@ -5,6 +5,7 @@ module DocumentsSpec (spec) where
 import BlackHole.Cli.ExitStatus (exitCode)
 import BlackHole.Cli.Help
 import BlackHole.Cli.Options (Parsed (..), commandHelps, formerOptions, parseArguments)
+import BlackHole.Cli.Run (run)
 import BlackHole.Cli.SceneOptions (sceneOptions)
 import BlackHole.Scene.Field.Field
 import BlackHole.Scene.Field.Kind (showValue)
@@ -15,13 +16,14 @@ import Control.Applicative ((<|>))
 import Control.Monad (filterM, forM_, unless, when)
 import Data.Char (isAlpha, isSpace, isUpper)
 import Data.List (dropWhileEnd, isInfixOf, isPrefixOf, isSuffixOf, nub, sort, stripPrefix)
-import Data.Maybe (isJust, mapMaybe)
+import Data.Maybe (fromMaybe, isJust, mapMaybe)
 import GHC.IO.Encoding (setFileSystemEncoding, setLocaleEncoding, utf8)
-import System.Directory (copyFile, createDirectoryIfMissing, doesFileExist, doesPathExist, findExecutable, listDirectory)
+import Support.Program (outputOf, quietly, redirecting)
+import System.Directory (copyFile, createDirectoryIfMissing, doesFileExist, doesPathExist, findExecutable, listDirectory, withCurrentDirectory)
 import System.Exit (ExitCode (..))
 import System.FilePath (takeDirectory, takeExtension, takeFileName, (</>))
+import System.IO (stderr, stdout)
 import System.IO.Temp (withSystemTempDirectory)
-import System.Process (CreateProcess (cwd), proc, readCreateProcessWithExitCode)
 import Test.Hspec
 import Text.Read (readMaybe)
 
@@ -265,25 +267,21 @@ replacing old new text
   | otherwise = []
 
 -- | Runs command lines, one after the other, in a copy of the folder that has what they
--- start from. The exit code for missing frames also counts as success.
+-- start from. The exit code for missing frames also counts as success. All run in this
+-- process, which decodes the stars once.
 allWork :: FilePath -> [Command] -> Expectation
-allWork files commands = unless (null commands) $ do
-  found <- findExecutable "blackhole"
+allWork files commands = unless (null commands) . withSystemTempDirectory "blackhole-spec" $ \folder -> do
   ffmpeg <- isJust <$> findExecutable "ffmpeg"
-  case found of
-    Nothing -> pendingWith "blackhole is not on the PATH"
-    Just program -> withSystemTempDirectory "blackhole-spec" $ \folder -> do
-      copyFolder files folder
-      forM_ commands $ \(Command arguments output) -> do
-        mapM_ (createDirectoryIfMissing True . (folder </>) . takeDirectory) (valuesOf ["-o", "--output"] arguments)
-        forM_ (valuesOf ["--sky"] arguments) $ \sky ->
-          when (takeExtension sky `elem` [".png", ".jpg", ".hdr", ".tif"]) $ panorama (folder </> sky)
-        small <- concat <$> mapM (expanded folder) (scaled (if ffmpeg then arguments else without "--video" arguments))
-        (code, said, complaint) <- readCreateProcessWithExitCode (proc program small) {cwd = Just folder} ""
-        let allowed = ExitSuccess : [ExitFailure 5 | "--status" `elem` arguments]
-        when (code `notElem` allowed) . expectationFailure $
-          unwords ("blackhole" : small) ++ "\nended with " ++ show code ++ ":\n" ++ complaint
-        forM_ output $ \file -> writeFile (folder </> file) said
+  copyFolder files folder
+  withCurrentDirectory folder . forM_ commands $ \(Command arguments output) -> do
+    mapM_ (createDirectoryIfMissing True . takeDirectory) (valuesOf ["-o", "--output"] arguments)
+    forM_ (valuesOf ["--sky"] arguments) $ \sky ->
+      when (takeExtension sky `elem` [".png", ".jpg", ".hdr", ".tif"]) $ panorama sky
+    small <- concat <$> mapM expanded (scaled (if ffmpeg then arguments else without "--video" arguments))
+    (code, complaint) <- outputOf stderr "said" (redirecting stdout (fromMaybe "printed" output) (run small))
+    let allowed = ExitSuccess : [ExitFailure 5 | "--status" `elem` arguments]
+    when (code `notElem` allowed) . expectationFailure $
+      unwords ("blackhole" : small) ++ "\nended with " ++ show code ++ ":\n" ++ complaint
 
 valuesOf :: [String] -> [String] -> [String]
 valuesOf names arguments = [value | (name, value) <- zip arguments (drop 1 arguments), name `elem` names]
@@ -312,9 +310,9 @@ scaled arguments = case arguments of
     adaptive = any (`elem` arguments) ["--noise", "--most-samples"]
 
 -- | The files that a pattern names.
-expanded :: FilePath -> String -> IO [String]
-expanded folder argument = case break (== '*') argument of
-  (start, _ : end) -> sort . filter (\name -> start `isPrefixOf` name && end `isSuffixOf` name) <$> listDirectory folder
+expanded :: String -> IO [String]
+expanded argument = case break (== '*') argument of
+  (start, _ : end) -> sort . filter (\name -> start `isPrefixOf` name && end `isSuffixOf` name) <$> listDirectory "."
   _ -> pure [argument]
 
 -- | A folder with the files that the documents' readers have.
@@ -339,13 +337,14 @@ prepare folder = do
   createDirectoryIfMissing True (folder </> "frames")
   forM_ [("mine.yaml", "image: {width: 16}\n"), ("big.yaml", "preset: report\n"), ("film.yaml", "animation: {frames: 2, camera-path: {kind: orbit}}\n")] $ \(name, text) ->
     writeFile (folder </> name) text
-  found <- findExecutable "blackhole"
-  forM_ found $ \program -> do
-    forM_ ["big-1.tile"] $ \name ->
-      readCreateProcessWithExitCode (proc program ["render", "--width", "16", "--samples", "1", "--tile", "1/1", "-o", name]) {cwd = Just folder} ""
-    forM_ ["picture.exr", "hole.png"] $ \name ->
-      readCreateProcessWithExitCode (proc program ["render", "--width", "16", "--samples", "1", "-o", name]) {cwd = Just folder} ""
-    readCreateProcessWithExitCode (proc program ["animate", "film.yaml", "--width", "16", "--samples", "1", "-o", "frames/%05d.png"]) {cwd = Just folder} ""
+  withCurrentDirectory folder $
+    mapM_
+      (\arguments -> quietly arguments `shouldReturn` ExitSuccess)
+      [ ["render", "--width", "16", "--samples", "1", "--tile", "1/1", "-o", "big-1.tile"],
+        ["render", "--width", "16", "--samples", "1", "-o", "picture.exr"],
+        ["render", "--width", "16", "--samples", "1", "-o", "hole.png"],
+        ["animate", "film.yaml", "--width", "16", "--samples", "1", "-o", "frames/%05d.png"]
+      ]
 
 -- | A sky twice as wide as high.
 panorama :: FilePath -> IO ()
