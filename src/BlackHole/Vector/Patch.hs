@@ -76,9 +76,12 @@ patchValue whole !x !y = go whole
       Smooth (Rectangle mx hx my hy) coefficients ->
         let !s = (x - mx) / hx
             !t = (y - my) / hy
+            !t2 = t * t
+            !t4 = t2 * t2
+            -- Estrin's scheme: the terms do not wait for each other.
             row k =
               let at l = indexPrimArray coefficients (k + l)
-               in at 0 + t * (at 1 + t * (at 2 + t * (at 3 + t * (at 4 + t * (at 5 + t * (at 6 + t * at 7))))))
+               in (at 0 + t * at 1 + t2 * (at 2 + t * at 3)) + t4 * (at 4 + t * at 5 + t2 * (at 6 + t * at 7))
             {-# INLINE row #-}
             sums :: Int -> Double -> Double -> Double -> Maybe XYZ
             sums !k !a !b !c
