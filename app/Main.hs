@@ -6,7 +6,14 @@ import BlackHole.Cli.FastExit (fastExit)
 import BlackHole.Cli.Run (run)
 import BlackHole.Cli.Signals (stoppable)
 import System.Environment (getArgs)
-import System.IO (BufferMode (LineBuffering), hSetBuffering, hSetEncoding, mkTextEncoding, stderr, stdout)
+import System.IO
+  ( BufferMode (LineBuffering),
+    hSetBuffering,
+    hSetEncoding,
+    mkTextEncoding,
+    stderr,
+    stdout,
+  )
 
 main :: IO ()
 main = do

@@ -19,4 +19,9 @@ benchmarks =
     ]
   where
     small scene = scene {scenePicture = Picture 64 36, sceneSamples = 1}
-    frame name scene = bench name (whnfIO (exposeFilm Nothing oneWorker (const (pure ())) scene (allRows (scenePicture scene))))
+    frame name scene =
+      bench
+        name
+        ( whnfIO
+            (exposeFilm Nothing oneWorker (const (pure ())) scene (allRows (scenePicture scene)))
+        )

@@ -80,7 +80,8 @@ loadScene file = do
 -- without effect in this scene.
 change :: [(String, String)] -> Scene -> Either [String] Scene
 change pairs scene = case partitionEithers (map setting pairs) of
-  ([], settings) -> case map renderProblem (validateScene changed) ++ map (renderIdle InFile) (idleSettings scene (latest settings)) of
+  ([], settings) -> case map renderProblem (validateScene changed)
+    ++ map (renderIdle InFile) (idleSettings scene (latest settings)) of
     [] -> Right changed
     problems -> Left problems
     where
@@ -113,7 +114,9 @@ renderFilm progress scene = case map renderProblem (validateScene scene) of
   [] -> loadSky scene >>= either (pure . Left . pure) (withAllWorkers . under)
   problems -> pure (Left problems)
   where
-    under sky workers = maybe (Left ["this scene can't be traced"]) (Right . Film) <$> exposeFilm (skyFileImage <$> sky) workers progress scene (allRows (scenePicture scene))
+    under sky workers =
+      maybe (Left ["this scene can't be traced"]) (Right . Film)
+        <$> exposeFilm (skyFileImage <$> sky) workers progress scene (allRows (scenePicture scene))
 
 -- | The linear light of a scene's pixels, and the number of samples of each.
 newtype Film = Film Exposed
@@ -134,10 +137,13 @@ filmRadiance (Film exposed) = Film.filmRadiance (exposedLight exposed)
 -- stores the scene. 'Left' holds one line with the reason for a failure.
 writeFilm :: FilePath -> Scene -> Film -> IO (Either [String] ())
 writeFilm file scene (Film exposed) = inFormat file $ \format -> do
-  bytes <- withAllWorkers (\workers -> pictureBytes workers software format defaultCoding (scene :| []) exposed)
+  bytes <-
+    withAllWorkers
+      (\workers -> pictureBytes workers software format defaultCoding (scene :| []) exposed)
   case bytes of
     Nothing -> pure (Left [file ++ ": this format has no room for so large a picture"])
-    Just content -> either (Left . pure . renderWriteProblem) Right <$> writeFileAtomically file content
+    Just content ->
+      either (Left . pure . renderWriteProblem) Right <$> writeFileAtomically file content
 
 -- | 'renderFilm' followed by 'writeFilm'. Writes the same bytes as @blackhole render@.
 renderToFile :: FilePath -> Scene -> IO (Either [String] ())
@@ -147,7 +153,11 @@ renderToFile file scene = inFormat file . const $ do
 
 inFormat :: FilePath -> (Format -> IO (Either [String] a)) -> IO (Either [String] a)
 inFormat file act = case formatOf file of
-  Nothing -> pure (Left [file ++ ": not a file name that ends in " ++ intercalate ", " (map fst formatExtensions)])
+  Nothing ->
+    pure
+      ( Left
+          [file ++ ": not a file name that ends in " ++ intercalate ", " (map fst formatExtensions)]
+      )
   Just format -> act format
 
 withAllWorkers :: (Workers -> IO a) -> IO a

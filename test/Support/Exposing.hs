@@ -25,11 +25,15 @@ exposeWhole workers scene = exposeBand workers scene (allRows (scenePicture scen
 
 -- | A band of that film: its first row and its number of rows.
 exposeBand :: Workers -> Scene -> (Int, Int) -> IO (Maybe Film)
-exposeBand workers scene band = fmap exposedLight <$> exposeFilm Nothing workers (const (pure ())) scene band
+exposeBand workers scene band =
+  fmap exposedLight <$> exposeFilm Nothing workers (const (pure ())) scene band
 
 -- | The bytes of a file ('fileEncoder').
-encoded :: Workers -> Format -> Metadata -> Development -> Layers -> Film -> IO (Maybe Lazy.ByteString)
+encoded ::
+  Workers -> Format -> Metadata -> Development -> Layers -> Film -> IO (Maybe Lazy.ByteString)
 encoded workers format metadata development layers film =
-  traverse (\encode -> snd <$> inMemory (encode (pure . filmRows film))) (fileEncoder workers format metadata development layers size)
+  traverse
+    (\encode -> snd <$> inMemory (encode (pure . filmRows film)))
+    (fileEncoder workers format metadata development layers size)
   where
     size = (shapeWidth (pixelArrayShape film), shapeHeight (pixelArrayShape film))

@@ -61,17 +61,32 @@ exploreOptions :: Parser ExploreOptions
 exploreOptions =
   ExploreOptions
     <$> sceneOptions
-    <*> setting (option wholeNumber (long "port" <> metavar "N" <> help "Port of the loopback interface (default: a free one)"))
+    <*> setting
+      ( option
+          wholeNumber
+          ( long "port" <> metavar "N"
+              <> help "Port of the loopback interface (default: a free one)"
+          )
+      )
     <*> toggle (long "no-open" <> help "Only print the address instead of opening it in a browser")
-    <*> toggle (long "keep" <> help "Keep running when the last page is closed (default: end half a minute later)")
+    <*> toggle
+      ( long "keep"
+          <> help "Keep running when the last page is closed (default: end half a minute later)"
+      )
     <*> threadsOption
 
 -- | Runs the server.
 explore :: ExploreOptions -> IO ExitStatus
 explore options = case serve of
-  Nothing -> complain CannotWrite "explore: this program is built without the live view; script/blackhole explore in a checkout builds it, as does the Cabal flag explore (blackhole render --preview draws in the terminal)"
+  Nothing ->
+    complain
+      CannotWrite
+      "explore: this program is built without the live view; \
+      \script/blackhole explore in a checkout builds it, as does the Cabal flag explore (blackhole \
+      \render --preview draws in the terminal)"
   Just server
-    | problem : problems <- portProblems ++ checkThreads (exploreThreads options) -> complainAll UsageError (problem : problems)
+    | problem : problems <- portProblems ++ checkThreads (exploreThreads options) ->
+      complainAll UsageError (problem : problems)
     | otherwise -> do
       loaded <- loadScene (exploreScene options)
       sky <- either (const (pure (Right Nothing))) loadSky loaded
@@ -82,12 +97,24 @@ explore options = case serve of
           workers <- maybe defaultWorkers pure (workersFromCount =<< exploreThreads options)
           withWorkers workers (serving server (Renderer workers skyOf room) scene)
   where
-    portProblems = [Problem "--port" (show n) "a port from 1 to 65535" | Just n <- [explorePort options], n < 1 || n > 65535]
+    portProblems =
+      [ Problem "--port" (show n) "a port from 1 to 65535"
+        | Just n <- [explorePort options],
+          n < 1 || n > 65535
+      ]
     skyOf = fmap (fmap (fmap skyFileImage)) . loadSky
-    room format scene = memoryProblem (Making (WholePicture format) False False) scene (pictureHeight (scenePicture scene))
+    room format scene =
+      memoryProblem
+        (Making (WholePicture format) False False)
+        scene
+        (pictureHeight (scenePicture scene))
     preset = fromMaybe "default" (scenePreset (exploreScene options))
     serving server renderer scene = do
-      state <- newServerState renderer (preset, scene) (Builder.toLazyByteString . Builder.stringUtf8 . renderJson . replyJson)
+      state <-
+        newServerState
+          renderer
+          (preset, scene)
+          (Builder.toLazyByteString . Builder.stringUtf8 . renderJson . replyJson)
       token <- newToken
       let access = Access token
           table = Builder.toLazyByteString (Builder.stringUtf8 (renderJson tableJson))
@@ -98,11 +125,28 @@ explore options = case serve of
             case open of
               _ | exploreNoOpen options -> pure ()
               Just program -> start program address
-              Nothing -> say ("no browser here; from another machine, run ssh -L " ++ show port ++ ":127.0.0.1:" ++ show port ++ " with this one's name and open the address there (without a browser: blackhole render --preview)")
+              Nothing ->
+                say
+                  ( "no browser here; from another machine, run ssh -L " ++ show port
+                      ++ ":127.0.0.1:"
+                      ++ show port
+                      ++ " with this one's name and open the address there (without a browser: \
+                         \blackhole render --preview)"
+                  )
       -- A picture that is being rendered leaves nothing behind.
-      ended <- race (server (explorePort options) (\port -> service (access port) state table) announce) (deserted state) `finally` (readTVarIO (stateWorker state) >>= mapM_ cancel)
+      ended <-
+        race
+          (server (explorePort options) (\port -> service (access port) state table) announce)
+          (deserted state)
+          `finally` (readTVarIO (stateWorker state) >>= mapM_ cancel)
       case ended of
-        Left (Left reason) -> complain CannotWrite ("explore: cannot listen on port " ++ maybe "of its own" show (explorePort options) ++ ": " ++ reason)
+        Left (Left reason) ->
+          complain
+            CannotWrite
+            ( "explore: cannot listen on port " ++ maybe "of its own" show (explorePort options)
+                ++ ": "
+                ++ reason
+            )
         _ -> pure Done
     -- Returns half a minute after the last page was closed.
     deserted state
@@ -111,11 +155,28 @@ explore options = case serve of
         atomically (busy state >>= check)
         atomically (busy state >>= check . not)
         late <- registerDelay 30000000
-        again <- atomically ((True <$ (busy state >>= check)) `orElse` (False <$ (readTVar late >>= check)))
+        again <-
+          atomically
+            ((True <$ (busy state >>= check)) `orElse` (False <$ (readTVar late >>= check)))
         when again (deserted state)
     start program address = do
-      outcome <- try (void (createProcess (proc program [address]) {std_in = NoStream, std_out = NoStream, std_err = NoStream, close_fds = True, new_session = True}))
-      either (\failure -> say ("cannot run " ++ program ++ ": " ++ show (failure :: IOException))) pure outcome
+      outcome <-
+        try
+          ( void
+              ( createProcess
+                  (proc program [address])
+                    { std_in = NoStream,
+                      std_out = NoStream,
+                      std_err = NoStream,
+                      close_fds = True,
+                      new_session = True
+                    }
+              )
+          )
+      either
+        (\failure -> say ("cannot run " ++ program ++ ": " ++ show (failure :: IOException)))
+        pure
+        outcome
 
 -- | The program that opens an address in the user's browser, if there is a display.
 browser :: IO (Maybe FilePath)
@@ -134,8 +195,11 @@ service access state table =
         Left refusal -> pure refusal
         Right "table.json" -> pure (Content "application/json" table)
         Right path
-          | (kind, contents) : _ <- [(k, c) | (name, k, c) <- pageFiles, name == path] -> pure (Content kind (Lazy.fromStrict contents))
-          | Just name <- Char8.stripPrefix "preset/" path >>= Char8.stripSuffix ".jpg" -> maybe Missing (Content "image/jpeg") <$> presetThumbnail state (Char8.unpack name)
+          | (kind, contents) : _ <- [(k, c) | (name, k, c) <- pageFiles, name == path] ->
+            pure (Content kind (Lazy.fromStrict contents))
+          | Just name <- Char8.stripPrefix "preset/" path >>= Char8.stripSuffix ".jpg" ->
+            maybe Missing (Content "image/jpeg") <$> presetThumbnail state (Char8.unpack name)
           | otherwise -> pure Missing,
-      serviceTalk = \asked -> if admittedTalk access asked then Just (serveSession state) else Nothing
+      serviceTalk =
+        \asked -> if admittedTalk access asked then Just (serveSession state) else Nothing
     }

@@ -93,16 +93,42 @@ topicNames = map (map toLower . topicName) [minBound ..] ++ map fst guides
 -- | Topics that are not about settings.
 guides :: [(String, [String])]
 guides =
-  [ ("hole", "The hole and its spin." : "" : concatMap (\text -> wrapped 0 text ++ [""]) holeHelp ++ ["Example: blackhole render --spin 0.9 --inclination 85 -o kerr.png"]),
-    ("animation", "Animations: keyframes, camera paths and motion blur." : concatMap partLines animationHelp ++ ["", "Example: blackhole animate --preset luminet --orbit 360 --duration 4 -o frames/%05d.png"]),
-    ("exit-status", "Exit codes, the same for all commands." : "" : concatMap (uncurry (row 12)) exitTexts ++ ["", "Example: blackhole selftest --quiet"])
+  [ ( "hole",
+      "The hole and its spin." :
+      "" :
+      concatMap (\text -> wrapped 0 text ++ [""]) holeHelp
+        ++ ["Example: blackhole render --spin 0.9 --inclination 85 -o kerr.png"]
+    ),
+    ( "animation",
+      "Animations: keyframes, camera paths and motion blur." :
+      concatMap partLines animationHelp
+        ++ [ "",
+             "Example: blackhole animate --preset luminet --orbit 360 --duration 4 -o \
+             \frames/%05d.png"
+           ]
+    ),
+    ( "exit-status",
+      "Exit codes, the same for all commands." :
+      "" : concatMap (uncurry (row 12)) exitTexts ++ ["", "Example: blackhole selftest --quiet"]
+    )
   ]
   where
     holeHelp =
-      [ "A hole is its mass and its spin. The mass sets the scale: every length is in Schwarzschild radii, and nothing else depends on it. The spin (--spin, or hole.spin in scene files) is the angular momentum as a fraction of the greatest that a hole can have, from -1 to 1; 0 is a hole that does not rotate.",
-        "A rotating hole drags space along. Light that passes on the side that turns towards you gets closer without falling in, so the shadow shifts and is flattened on that side: like the letter D for a fast hole in the plane of its disk. Inside the ergosphere (1 in the disk's plane) nothing can stay at rest.",
-        "A positive spin turns with the disk, a negative one against it. With the disk, the gas can circle closer in: down to 3 without spin, 1.16 at 0.9, 0.62 at 0.998, but only 4.36 at -0.9. The disk is hotter and its light more strongly shifted there. A disk that reaches down to that orbit follows the spin unless --disk-inner says otherwise.",
-        "The observers static, zamo, orbiting, counter-orbiting and falling are possible; static ones outside the ergosphere only. A zamo turns with space and has no angular momentum of its own."
+      [ "A hole is its mass and its spin. The mass sets the scale: every length is in \
+        \Schwarzschild radii, and nothing else depends on it. The spin (--spin, or hole.spin in \
+        \scene files) is the angular momentum as a fraction of the greatest that a hole can have, \
+        \from -1 to 1; 0 is a hole that does not rotate.",
+        "A rotating hole drags space along. Light that passes on the side that turns towards you \
+        \gets closer without falling in, so the shadow shifts and is flattened on that side: like \
+        \the letter D for a fast hole in the plane of its disk. Inside the ergosphere (1 in the \
+        \disk's plane) nothing can stay at rest.",
+        "A positive spin turns with the disk, a negative one against it. With the disk, the gas \
+        \can circle closer in: down to 3 without spin, 1.16 at 0.9, 0.62 at 0.998, but only 4.36 \
+        \at -0.9. The disk is hotter and its light more strongly shifted there. A disk that \
+        \reaches down to that orbit follows the spin unless --disk-inner says otherwise.",
+        "The observers static, zamo, orbiting, counter-orbiting and falling are possible; static \
+        \ones outside the ergosphere only. A zamo turns with space and has no angular momentum of \
+        \its own."
       ]
     partLines part =
       "" : case part of
@@ -145,7 +171,10 @@ commandText commands c =
         [ "" : (title ++ ":") : concatMap (entryRows c) entries
           | (title, entries) <- sections c
         ]
-      ++ [line | not (null (commandExamples c)), line <- "" : heading : map ("  " ++) (commandExamples c)]
+      ++ [ line
+           | not (null (commandExamples c)),
+             line <- "" : heading : map ("  " ++) (commandExamples c)
+         ]
   where
     inner = innerCommands commands c
     heading = if length (commandExamples c) > 1 then "Examples:" else "Example:"
@@ -154,7 +183,12 @@ innerCommands :: [CommandHelp] -> CommandHelp -> [CommandHelp]
 innerCommands commands c = [i | i <- commands, (commandName c ++ " ") `isPrefixOf` commandName i]
 
 usage :: CommandHelp -> [CommandHelp] -> String
-usage c inner = "Usage: blackhole " ++ unwords (commandName c : ["COMMAND" | not (null inner)] ++ ["[OPTION...]" | hasOptions] ++ map argument arguments)
+usage c inner =
+  "Usage: blackhole "
+    ++ unwords
+      ( commandName c :
+        ["COMMAND" | not (null inner)] ++ ["[OPTION...]" | hasOptions] ++ map argument arguments
+      )
   where
     hasOptions = not (null inner && all (null . entryNames) (commandEntries c))
     arguments = [entryValue e | e <- commandEntries c, null (entryNames e)]
@@ -177,7 +211,9 @@ entryLabel (Entry names value _)
 
 -- | The description, with the default if the option belongs to a setting.
 entryMeaning :: CommandHelp -> Entry -> String
-entryMeaning c e = entryText e ++ fromMaybe "" (if isSceneCommand c then fieldOf e >>= defaultNote (entryText e) else Nothing)
+entryMeaning c e =
+  entryText e
+    ++ fromMaybe "" (if isSceneCommand c then fieldOf e >>= defaultNote (entryText e) else Nothing)
 
 fieldOf :: Entry -> Maybe Field
 fieldOf e = find (maybe False ((`elem` entryNames e) . optionName) . fieldOption) sceneFields
@@ -197,7 +233,8 @@ sections c
   | isSceneCommand c =
     filter (not . null . snd) [(title, filter ((== title) . titleOf) entries) | title <- titles]
   | null entries = []
-  | otherwise = [(if any (null . entryNames) entries then "Arguments and options" else "Options", entries)]
+  | otherwise =
+    [(if any (null . entryNames) entries then "Arguments and options" else "Options", entries)]
   where
     entries = commandEntries c
     titles = "Scene" : map topicName [minBound .. maxBound] ++ ["This command"]
@@ -211,8 +248,21 @@ titleOf e
 -- | The headings of options that do not belong to a setting.
 headedOptions :: [(String, [String])]
 headedOptions =
-  [ (topicName Output, ["--output", "--bits", "--quality", "--preview", "--tile", "--keep-partial", "--video", "--codec", "--crf"]),
-    (topicName Diagnostics, ["--pixel", "--threads", "--progress", "--quiet", "--stats", "--strict"])
+  [ ( topicName Output,
+      [ "--output",
+        "--bits",
+        "--quality",
+        "--preview",
+        "--tile",
+        "--keep-partial",
+        "--video",
+        "--codec",
+        "--crf"
+      ]
+    ),
+    ( topicName Diagnostics,
+      ["--pixel", "--threads", "--progress", "--quiet", "--stats", "--strict"]
+    )
   ]
 
 -- | A topic: all its settings, with their options and their paths in scene files.
@@ -231,7 +281,8 @@ topicText topic =
 
 settingMeaning :: Field -> String
 settingMeaning f =
-  text ++ fromMaybe "" (defaultNote text f) ++ maybe " [scene file only]" (const (" [" ++ fieldPath f ++ "]")) (fieldOption f)
+  text ++ fromMaybe "" (defaultNote text f)
+    ++ maybe " [scene file only]" (const (" [" ++ fieldPath f ++ "]")) (fieldOption f)
   where
     text = case fieldOption f of
       Just (Sets _ _ flagText) -> flagText
@@ -240,8 +291,12 @@ settingMeaning f =
 -- | The sources of the real sky.
 skySources :: [String]
 skySources =
-  [ "The real sky has 118 235 stars with their measured positions, magnitudes and colours: ESA, 1997, The Hipparcos and Tycho Catalogues, ESA SP-1200, and for bright stars the Bright Star Catalogue, 5th edition (Hoffleit and Warren 1991).",
-    "The Milky Way is the light of all stars that are not among them, from star counts of the Tycho-2 and NOMAD catalogues and a model of the Galaxy behind the dust measured by Schlegel, Finkbeiner and Davis 1998."
+  [ "The real sky has 118 235 stars with their measured positions, magnitudes and colours: ESA, \
+    \1997, The Hipparcos and Tycho Catalogues, ESA SP-1200, and for bright stars the Bright Star \
+    \Catalogue, 5th edition (Hoffleit and Warren 1991).",
+    "The Milky Way is the light of all stars that are not among them, from star counts of the \
+    \Tycho-2 and NOMAD catalogues and a model of the Galaxy behind the dust measured by Schlegel, \
+    \Finkbeiner and Davis 1998."
   ]
 
 -- | Options of render that demonstrate a topic.
@@ -272,12 +327,19 @@ helpOn commands wanted
 exitTexts :: [(String, String)]
 exitTexts =
   [ ("0", "Success."),
-    ("1", "An internal error, a failed self-test, or with --strict a pixel without finite radiance."),
+    ( "1",
+      "An internal error, a failed self-test, or with --strict a pixel without finite radiance."
+    ),
     ("2", "Invalid command line."),
-    ("3", "Invalid input: a value of the scene out of its range, a file that cannot be read, or a picture that does not fit into memory."),
+    ( "3",
+      "Invalid input: a value of the scene out of its range, a file that cannot be read, or a \
+      \picture that does not fit into memory."
+    ),
     ("4", "The output cannot be written."),
     ("5", "Frames of an animation or its video file are missing."),
-    ("129, 130, 143, 152", "Stopped by a signal: SIGHUP, Ctrl-C (SIGINT), SIGTERM, or the limit on processor time.")
+    ( "129, 130, 143, 152",
+      "Stopped by a signal: SIGHUP, Ctrl-C (SIGINT), SIGTERM, or the limit on processor time."
+    )
   ]
 
 -- | A parser's message, with a suggestion if it is about an unknown option or command,
@@ -286,18 +348,30 @@ exitTexts =
 withSuggestion :: [String] -> [String] -> String -> String
 withSuggestion options commands complaint = complaint ++ fromMaybe "" hint
   where
-    hint = listToMaybe (mapMaybe meant [("Invalid option `", filter isLong options), ("Invalid argument `", commands)])
+    hint =
+      listToMaybe
+        ( mapMaybe
+            meant
+            [("Invalid option `", filter isLong options), ("Invalid argument `", commands)]
+        )
     meant (start, names) = do
       rest <- stripPrefix start complaint
       let word = takeWhile (\c -> c /= '\'' && c /= '=') rest
-      best <- if isLong word then ("--" ++) <$> nearest (drop 2 word) (map (drop 2) names) else if "-" `isPrefixOf` word then Nothing else nearest word names
+      best <-
+        if isLong word
+          then ("--" ++) <$> nearest (drop 2 word) (map (drop 2) names)
+          else if "-" `isPrefixOf` word then Nothing else nearest word names
       pure (" (did you mean " ++ best ++ "?)")
     isLong = isPrefixOf "--"
 
 row :: Int -> String -> String -> [String]
 row column name text
   | length name + 4 > column = ("  " ++ name) : map (replicate column ' ' ++) texts
-  | otherwise = zipWith (++) (("  " ++ name ++ replicate (column - 2 - length name) ' ') : repeat (replicate column ' ')) texts
+  | otherwise =
+    zipWith
+      (++)
+      (("  " ++ name ++ replicate (column - 2 - length name) ' ') : repeat (replicate column ' '))
+      texts
   where
     texts = wrap (80 - column) text
 

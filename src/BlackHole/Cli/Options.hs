@@ -149,19 +149,30 @@ described =
   [ describe
       "render"
       "Render one picture."
-      "It shows the default scene, a preset, a scene file, or the scene stored in a picture. Options override the settings of that scene."
+      "It shows the default scene, a preset, a scene file, or the scene stored in a picture. \
+      \Options override the settings of that scene."
       ["blackhole render --width 1280 --inclination 75 --fov 40 -o hole.png"]
       (Task . Render <$> renderOptions),
     describe
       "explore"
       "Fly around the hole in a live view in the browser."
-      "Serves a page on this machine alone and prints its address, which contains a secret token. The picture there is traced by the code of render: drag it to orbit, turn the wheel to come nearer, change any setting, look at single pixels, set keyframes, and take the result home as a command line, a scene file, an animation or a picture. Files go to the folder in which the program was started."
-      ["blackhole explore", "blackhole explore --preset kerr", "blackhole explore mine.yaml --port 8000 --no-open"]
+      "Serves a page on this machine alone and prints its address, which contains a secret token. \
+      \The picture there is traced by the code of render: drag it to orbit, turn the wheel to come \
+      \nearer, change any setting, look at single pixels, set keyframes, and take the result home \
+      \as a command line, a scene file, an animation or a picture. Files go to the folder in which \
+      \the program was started."
+      [ "blackhole explore",
+        "blackhole explore --preset kerr",
+        "blackhole explore mine.yaml --port 8000 --no-open"
+      ]
       (Task . Explore <$> exploreOptions),
     describe
       "animate"
       "Render the frames of an animation."
-      "The animation is a scene file with a section animation (see: blackhole help animation), or an orbit around the hole in any scene (--orbit). Renders only frames that are missing, outdated or damaged, so an interrupted animation continues where it stopped. Several processes can share the work."
+      "The animation is a scene file with a section animation (see: blackhole help animation), or \
+      \an orbit around the hole in any scene (--orbit). Renders only frames that are missing, \
+      \outdated or damaged, so an interrupted animation continues where it stopped. Several \
+      \processes can share the work."
       [ "blackhole animate --preset luminet --orbit 360 --duration 4 -o frames/%05d.png",
         "blackhole animate scenes/orbit.yaml -o frames/%05d.png --video orbit.mp4"
       ]
@@ -181,7 +192,8 @@ described =
     describe
       "photon"
       "Report on one light path."
-      "The path is that of light from infinity (--impact), or the line of sight of a camera at rest (--psi). The report gives lengths in Schwarzschild radii (r_s) and angles in radians."
+      "The path is that of light from infinity (--impact), or the line of sight of a camera at \
+      \rest (--psi). The report gives lengths in Schwarzschild radii (r_s) and angles in radians."
       ["blackhole photon --psi 10", "blackhole photon --impact 2.65 --json"]
       (Task . Photon <$> photonOptions),
     describe
@@ -199,7 +211,8 @@ described =
     describe
       "help"
       "Explain a command or a topic."
-      "Without an argument, lists the commands and topics. blackhole help man prints the manual page."
+      "Without an argument, lists the commands and topics. blackhole help man prints the manual \
+      \page."
       ["blackhole help render", "blackhole help scene check", "blackhole help camera"]
       ( HelpOn
           <$> many

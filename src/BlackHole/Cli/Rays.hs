@@ -53,7 +53,8 @@ raysOptions =
           wholeNumber
           ( long "rays" <> metavar "N"
               <> help
-                ( "Number of rays, 1 to 1001; with 8 or more, four of them wind around the hole (default: "
+                ( "Number of rays, 1 to 1001; with 8 or more, four of them wind around the hole \
+                  \(default: "
                     ++ show (fanRays defaultRayFan)
                     ++ ")"
                 )
@@ -84,7 +85,9 @@ raysOptions =
       ( option
           number
           ( long "spin" <> metavar "A"
-              <> help "Spin of the hole, above -1 and below 1: the rays lie in the equatorial plane, and a positive spin turns anticlockwise (default: 0)"
+              <> help
+                "Spin of the hole, above -1 and below 1: the rays lie in the equatorial \
+                \plane, and a positive spin turns anticlockwise (default: 0)"
           )
       )
     <*> settingOr

@@ -79,17 +79,26 @@ showRefined view = go (Memory Nothing Nothing Nothing initialPace) (-1)
         check (wantedTurn w /= done && isJust (wantedWindow w))
         roomForFrame
         pure w
-      let window = maybe (Picture 1 1) (fitting (scenePicture (wantedScene wanted))) (wantedWindow wanted)
+      let window =
+            maybe (Picture 1 1) (fitting (scenePicture (wantedScene wanted))) (wantedWindow wanted)
           scene = (wantedScene wanted) {scenePicture = window}
       loaded <- skyFor memory scene
       case loaded of
-        Left problem -> viewRefuse view (wantedInput wanted) problem >> go memory (wantedTurn wanted)
+        Left problem ->
+          viewRefuse view (wantedInput wanted) problem >> go memory (wantedTurn wanted)
         Right (sky, memory') -> do
           drawn <- draft sky memory' (wantedInput wanted) scene
           case drawn of
-            Nothing -> viewRefuse view (wantedInput wanted) "the scene cannot be traced" >> go memory' (wantedTurn wanted)
+            Nothing ->
+              viewRefuse view (wantedInput wanted) "the scene cannot be traced"
+                >> go memory' (wantedTurn wanted)
             Just (memory'', film) -> do
-              outcome <- race (superseded wanted) (threadDelay restMicroseconds >> refine sky memory'' (wantedInput wanted) scene film)
+              outcome <-
+                race
+                  (superseded wanted)
+                  ( threadDelay restMicroseconds
+                      >> refine sky memory'' (wantedInput wanted) scene film
+                  )
               go (fromRight memory'' outcome) (wantedTurn wanted)
     superseded wanted = atomically $ do
       w <- readTVar (viewWanted view)
@@ -105,7 +114,15 @@ showRefined view = go (Memory Nothing Nothing Nothing initialPace) (-1)
       (Just file, _) -> do
         loaded <- rendererSky renderer scene
         pure $ case loaded of
-          Right (Just picture) -> Right (Just picture, memory {memorySky = Just (file, picture), memoryTracer = Nothing, memoryFinished = Nothing})
+          Right (Just picture) ->
+            Right
+              ( Just picture,
+                memory
+                  { memorySky = Just (file, picture),
+                    memoryTracer = Nothing,
+                    memoryFinished = Nothing
+                  }
+              )
           Right Nothing -> Right (Nothing, memory)
           Left problem -> Left problem
 
@@ -126,10 +143,20 @@ showRefined view = go (Memory Nothing Nothing Nothing initialPace) (-1)
             picture <- quickly renderer 80 moving film
             deliver Moving 0 input size picture
             end <- getMonotonicTime
-            pure (Just (memory {memoryTracer = Just traced, memoryPace = paced (width * height) (end - start) (memoryPace memory)}, film))
+            pure
+              ( Just
+                  ( memory
+                      { memoryTracer = Just traced,
+                        memoryPace = paced (width * height) (end - start) (memoryPace memory)
+                      },
+                    film
+                  )
+              )
 
     refine sky memory input scene film = case memoryFinished memory of
-      Just (finished, exposed) | undeveloped finished == undeveloped scene -> finish memory input scene exposed
+      Just (finished, exposed)
+        | undeveloped finished == undeveloped scene ->
+          finish memory input scene exposed
       _ -> do
         sharper <- enlarging sky (memoryTracer memory) input scene film
         latest <- getMonotonicTime >>= newIORef
@@ -187,7 +214,9 @@ atExposureZero scene = (undeveloped scene) {sceneExposure = Exposure 0}
 fitting :: Picture -> (Int, Int) -> Picture
 fitting (Picture width height) (across, down) = Picture (scaled width) (scaled height)
   where
-    share = min (fromIntegral across / fromIntegral width) (fromIntegral down / fromIntegral height) :: Double
+    share =
+      min (fromIntegral across / fromIntegral width) (fromIntegral down / fromIntegral height) ::
+        Double
     scaled side = max 1 (round (share * fromIntegral side))
 
 filmSize :: Film -> Picture
@@ -196,11 +225,19 @@ filmSize film = Picture (shapeWidth (pixelArrayShape film)) (shapeHeight (pixelA
 -- | A film at another size, by repeating pixels.
 enlarged :: Film -> Picture -> Film
 enlarged film (Picture width height) =
-  fromMaybe film (pixelShape width height 3 >>= (`fromPixelVector` Vector.generate (3 * width * height) at))
+  fromMaybe
+    film
+    (pixelShape width height 3 >>= (`fromPixelVector` Vector.generate (3 * width * height) at))
   where
     Picture width' height' = filmSize film
     light = toPixelVector film
     at i =
       let (pixel, channel) = i `quotRem` 3
           (row, column) = pixel `quotRem` width
-       in light Vector.! (3 * (width' * ((row * height') `quot` height) + (column * width') `quot` width) + channel)
+       in light
+            Vector.! ( 3
+                         * ( width' * ((row * height') `quot` height)
+                               + (column * width') `quot` width
+                           )
+                         + channel
+                     )

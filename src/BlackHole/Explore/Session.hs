@@ -36,7 +36,16 @@ import Control.Concurrent (threadDelay)
 import Control.Concurrent.Async
 import Control.Concurrent.MVar
 import Control.Concurrent.STM
-import Control.Exception (SomeAsyncException (..), SomeException, bracket_, displayException, finally, fromException, throwIO, try)
+import Control.Exception
+  ( SomeAsyncException (..),
+    SomeException,
+    bracket_,
+    displayException,
+    finally,
+    fromException,
+    throwIO,
+    try,
+  )
 import Control.Monad (filterM, unless)
 import qualified Data.ByteString.Builder as Builder
 
@@ -61,10 +70,21 @@ serveSession state connection = bracket_ (count 1) (count (-1)) $ do
   inspector <- newTVarIO Nothing
   let deliver message = withMVar lock (\() -> send connection message)
       refuse input = deliver . TextMessage . stateText state . Refused (Just input) . pure
-      view = View (stateRenderer state) wanted sent drawn (deliver . BinaryMessage . frameBytes) refuse
+      view =
+        View (stateRenderer state) wanted sent drawn (deliver . BinaryMessage . frameBytes) refuse
       page = Page state view animation inspector deliver
-  let listen = hear connection >>= mapM_ (\bytes -> either (\(input, fault) -> tell page (Refused input [fault])) (handleMessage page) (parseMessage bytes) >> listen)
-  (listen `race_` showRefined view `race_` announce page `race_` reportJob page) `finally` (readTVarIO (pageInspector page) >>= mapM_ cancel)
+  let listen =
+        hear connection
+          >>= mapM_
+            ( \bytes ->
+                either
+                  (\(input, fault) -> tell page (Refused input [fault]))
+                  (handleMessage page)
+                  (parseMessage bytes)
+                  >> listen
+            )
+  (listen `race_` showRefined view `race_` announce page `race_` reportJob page)
+    `finally` (readTVarIO (pageInspector page) >>= mapM_ cancel)
   where
     count n = atomically (modifyTVar' (statePages state) (+ n))
 
@@ -105,8 +125,14 @@ handleMessage page message = case message of
   Window width height -> atomically $ do
     w <- readTVar (viewWanted (pageView page))
     unless (wantedWindow w == Just (width, height)) $
-      writeTVar (viewWanted (pageView page)) w {wantedTurn = wantedTurn w + 1, wantedWindow = Just (width, height)}
-  Drawn latest -> atomically (readTVar (viewSent (pageView page)) >>= \sent -> modifyTVar' (viewDrawn (pageView page)) (max (min sent latest)))
+      writeTVar
+        (viewWanted (pageView page))
+        w {wantedTurn = wantedTurn w + 1, wantedWindow = Just (width, height)}
+  Drawn latest ->
+    atomically
+      ( readTVar (viewSent (pageView page)) >>= \sent ->
+          modifyTVar' (viewDrawn (pageView page)) (max (min sent latest))
+      )
   Change input settings -> do
     forbidden <- filterM (fmap not . allowed) [file | Setting _ (FileValue file) <- settings]
     scene <- wantedScene <$> readTVarIO (viewWanted (pageView page))
@@ -114,19 +140,27 @@ handleMessage page message = case message of
         lost = [s | s <- settings, not (holds changed s)]
         reasons = [renderIdle InFile idle | idle <- idleSettings scene settings]
         problems =
-          ["'" ++ file ++ "' is not in the folder in which blackhole explore was started" | file <- forbidden]
+          [ "'" ++ file ++ "' is not in the folder in which blackhole explore was started"
+            | file <- forbidden
+          ]
             ++ (if null forbidden then map renderProblem (validateScene changed) else [])
     if null problems
       then do
         if null lost
           then show' input changed
-          else refuse input (if null reasons then ["these settings have no effect in this scene"] else reasons)
+          else
+            refuse
+              input
+              (if null reasons then ["these settings have no effect in this scene"] else reasons)
       else refuse input problems
   Restore input preset settings -> do
     forbidden <- filterM (fmap not . allowed) [file | Setting _ (FileValue file) <- settings]
     case findPreset preset of
       Just base
-        | null forbidden, restored <- applySettings settings base, null (validateScene restored) -> showFrom preset input restored
+        | null forbidden,
+          restored <- applySettings settings base,
+          null (validateScene restored) ->
+          showFrom preset input restored
       _ -> refuse input ["this is not a scene"]
   LoadPreset input preset -> case findPreset preset of
     Just scene -> showFrom preset input scene
@@ -159,7 +193,11 @@ handleMessage page message = case message of
     animation <- readTVarIO (pageAnimation page)
     case animation of
       Nothing -> refuse input ["there is no animation"]
-      Just made -> either (refuse input . map renderProblem) (show' input) (sceneAt (sequenceAnimation made) seconds)
+      Just made ->
+        either
+          (refuse input . map renderProblem)
+          (show' input)
+          (sceneAt (sequenceAnimation made) seconds)
   RenderFile how name -> do
     scene <- wantedScene <$> readTVarIO (viewWanted (pageView page))
     ready <- writableFile (map fst formatExtensions) how name
@@ -179,8 +217,25 @@ handleMessage page message = case message of
     allowed file
       | neededPicture (snd (stateStart (pageState page))) == Just file = pure True
       | otherwise = readableFile file
-    show' input scene = atomically (modifyTVar' (viewWanted (pageView page)) (\w -> w {wantedTurn = wantedTurn w + 1, wantedInput = input, wantedScene = scene}))
-    showFrom preset input scene = atomically (modifyTVar' (viewWanted (pageView page)) (\w -> w {wantedTurn = wantedTurn w + 1, wantedInput = input, wantedPreset = preset, wantedScene = scene}))
+    show' input scene =
+      atomically
+        ( modifyTVar'
+            (viewWanted (pageView page))
+            (\w -> w {wantedTurn = wantedTurn w + 1, wantedInput = input, wantedScene = scene})
+        )
+    showFrom preset input scene =
+      atomically
+        ( modifyTVar'
+            (viewWanted (pageView page))
+            ( \w ->
+                w
+                  { wantedTurn = wantedTurn w + 1,
+                    wantedInput = input,
+                    wantedPreset = preset,
+                    wantedScene = scene
+                  }
+            )
+        )
     save extensions how name text = do
       ready <- writableFile extensions how name
       case ready of
@@ -193,7 +248,8 @@ handleMessage page message = case message of
       outcome <- try action
       case outcome of
         Left failure
-          | Just (SomeAsyncException _) <- fromException failure -> throwIO (failure :: SomeException)
+          | Just (SomeAsyncException _) <- fromException failure ->
+            throwIO (failure :: SomeException)
           | otherwise -> refusal [unwords (lines (displayException failure))]
         Right () -> pure ()
     inspect scene across down = do
@@ -203,7 +259,14 @@ handleMessage page message = case message of
           y = min (height - 1) (floor (down * fromIntegral height))
       case sky of
         Left problem -> refusal [problem]
-        Right picture -> case tracerWithSky picture scene >>= \traced -> (,) traced <$> explainPixel traced x y of
+        Right picture -> case tracerWithSky picture scene >>= \traced ->
+          (,) traced <$> explainPixel traced x y of
           Nothing -> refusal ["the pixel cannot be explained"]
           Just (traced, explanation) ->
-            tell page (PixelIs scene explanation (sightPath traced 40 (XY (fromIntegral x + 0.5) (fromIntegral y + 0.5))))
+            tell
+              page
+              ( PixelIs
+                  scene
+                  explanation
+                  (sightPath traced 40 (XY (fromIntegral x + 0.5) (fromIntegral y + 0.5)))
+              )

@@ -55,7 +55,9 @@ fanCriticalParameters :: Spin -> (Double, Double)
 fanCriticalParameters hole
   | hole == noSpin = (negate criticalImpactParameter, criticalImpactParameter)
   | otherwise =
-    (negate (criticalAngularMomentum RightHanded hole), negate (criticalAngularMomentum LeftHanded hole))
+    ( negate (criticalAngularMomentum RightHanded hole),
+      negate (criticalAngularMomentum LeftHanded hole)
+    )
 
 -- | The signed impact parameters of the rays in ascending order. From eight rays on,
 -- four of them lie within a thousandth of the critical impact parameters, on both sides
@@ -105,7 +107,11 @@ equatorialClass hole ray
   | otherwise = Falling
   where
     azimuths = [phi | (r, phi) <- equatorialPoints ray, r > innermost]
-    innermost = 0.5 * (Kerr.horizonRadius hole + min (photonOrbitRadius RightHanded hole) (photonOrbitRadius LeftHanded hole))
+    innermost =
+      0.5
+        * ( Kerr.horizonRadius hole
+              + min (photonOrbitRadius RightHanded hole) (photonOrbitRadius LeftHanded hole)
+          )
     turned from to = let d = to - from in d - 2 * pi * fromIntegral (round (d / (2 * pi)) :: Int)
 
 -- | The line of sight whose plane contains the rays. It comes from +y, which the figure
@@ -121,14 +127,18 @@ rayFanFigure fan@(RayFan _ extent width rotation) =
     { figureWidth = width,
       figureHeight = ceiling (top + plotHeight + 3.4 * font),
       figureTitle =
-        if rotating
-          then
-            "Parallel light rays from infinity in the equatorial plane of a black hole with spin "
-              ++ spinText
-              ++ ", lengths in Schwarzschild radii"
-          else "Parallel light rays from infinity around a black hole, lengths in Schwarzschild radii",
+        "Parallel light rays from infinity "
+          ++ ( if rotating
+                 then "in the equatorial plane of a black hole with spin " ++ spinText
+                 else "around a black hole"
+             )
+          ++ ", lengths in Schwarzschild radii",
       figureShapes =
-        [Clipped plot (if rotating then hole ++ rayShapes ++ asymptotes else rayShapes ++ asymptotes ++ hole), frame]
+        [ Clipped
+            plot
+            (if rotating then hole ++ rayShapes ++ asymptotes else rayShapes ++ asymptotes ++ hole),
+          frame
+        ]
           ++ concatMap xTick ticks
           ++ concatMap yTick yTicks
           ++ titles
@@ -160,10 +170,14 @@ rayFanFigure fan@(RayFan _ extent width rotation) =
           let (found, points) = if rotating then rotatingRay b else staticRay b,
           found == kind
       ]
-    staticRay b = (rayClass trajectory, map (spot (b < 0)) (trajectoryPoints farthest 0.03 trajectory))
+    staticRay b =
+      (rayClass trajectory, map (spot (b < 0)) (trajectoryPoints farthest 0.03 trajectory))
       where
         trajectory = trajectoryFromInfinity fanSight (abs b)
-    rotatingRay b = (equatorialClass rotation ray, [at (r * cos phi) (r * sin phi) | (r, phi) <- equatorialPoints ray])
+    rotatingRay b =
+      ( equatorialClass rotation ray,
+        [at (r * cos phi) (r * sin phi) | (r, phi) <- equatorialPoints ray]
+      )
       where
         ray = equatorialRay rotation farthest 0.03 pi (negate b)
     farthest = 1.6 * extent
@@ -207,8 +221,14 @@ rayFanFigure fan@(RayFan _ extent width rotation) =
       | rotating =
         [ Disc ergosphereColour (at 0 0) (unit * ergosphereRadius rotation 0),
           Disc ink (at 0 0) (unit * Kerr.horizonRadius rotation),
-          Ring (Stroke ink (1.5 * hairline) nearDashes) (at 0 0) (unit * photonOrbitRadius prograde rotation),
-          Ring (Stroke ink (1.5 * hairline) farDashes) (at 0 0) (unit * photonOrbitRadius retrograde rotation)
+          Ring
+            (Stroke ink (1.5 * hairline) nearDashes)
+            (at 0 0)
+            (unit * photonOrbitRadius prograde rotation),
+          Ring
+            (Stroke ink (1.5 * hairline) farDashes)
+            (at 0 0)
+            (unit * photonOrbitRadius retrograde rotation)
         ]
       | otherwise =
         [ Disc ink (at 0 0) (unit * horizonRadius),
@@ -288,8 +308,12 @@ rayFanFigure fan@(RayFan _ extent width rotation) =
       | rotating =
         [ (sampleDisc ink, "horizon, " ++ decimals 3 (Kerr.horizonRadius rotation)),
           (sampleDisc ergosphereColour, "ergosphere, 1"),
-          (sampleLine ink nearDashes, "prograde, " ++ decimals 3 (photonOrbitRadius prograde rotation)),
-          (sampleLine ink farDashes, "retrograde photon orbit, " ++ decimals 3 (photonOrbitRadius retrograde rotation))
+          ( sampleLine ink nearDashes,
+            "prograde, " ++ decimals 3 (photonOrbitRadius prograde rotation)
+          ),
+          ( sampleLine ink farDashes,
+            "retrograde photon orbit, " ++ decimals 3 (photonOrbitRadius retrograde rotation)
+          )
         ]
       | otherwise =
         [ (sampleDisc ink, "horizon, r = 1"),

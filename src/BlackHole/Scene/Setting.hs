@@ -84,12 +84,15 @@ data Naming
 -- which a scene may be unable to hold, is the reason before any other.
 renderIdle :: Naming -> Idle -> String
 renderIdle naming (Idle (Setting path value) kept culprit condition) =
-  name path ++ ": " ++ showValue value ++ maybe (" has no effect" ++ maybe alone besides culprit) (" is not " ++) range
+  name path ++ ": " ++ showValue value
+    ++ maybe (" has no effect" ++ maybe alone besides culprit) (" is not " ++) range
   where
     range
       | kept = Nothing
       | otherwise = findField path >>= \field -> rangeFault (fieldKind field) value
-    besides other = " with " ++ assigned other ++ (if isSwitch (settingValue other) then "" else foldMap needed condition)
+    besides other =
+      " with " ++ assigned other
+        ++ (if isSwitch (settingValue other) then "" else foldMap needed condition)
     alone = maybe " in this scene" needed condition
     needed c = "; it applies only with " ++ name (conditionPath c) ++ " " ++ conditionNeeds c
     name p = case (naming, findField p >>= fieldOption) of

@@ -95,8 +95,9 @@ data Region = Region
     -- | Greatest length of one segment, as a fraction of the distance from the axis.
     regionLongestStep :: !Double,
     -- | The fraction of the half height within which 'regionVerticalStep' holds. Further
-    -- from the plane the segments of 'BlackHole.Spacetime.Schwarzschild.TablePath.followTable' grow in
-    -- proportion to the height.
+    -- from the plane the segments of a tabulated path
+    -- ('BlackHole.Spacetime.Schwarzschild.TablePath.followTable') grow in proportion to the
+    -- height.
     regionCore :: !Double
   }
   deriving (Eq, Show)

@@ -94,7 +94,8 @@ observerExists space observer place = case space of
     | Just motion <- kerrMotion observer,
       motion /= InFreeFall ->
       -- A direction against which no observer's motion turns the energy negative.
-      isJust (lightRay hole (kerrPlace place) motion (Direction 0 0 (negate (signum (spinLength hole)))))
+      isJust
+        (lightRay hole (kerrPlace place) motion (Direction 0 0 (negate (signum (spinLength hole)))))
   _ -> r > observerRange space observer (placePolarAngle (kerrPlace place))
   where
     r = XYZ.norm place
@@ -175,7 +176,15 @@ data Rotating = Rotating !Spin !Motion !Place !Azimuth !XYZ !XYZ
 
 -- | Prepares an observer at a position for 'sightFrom'.
 eye :: Spacetime -> Observer -> XYZ -> Eye
-eye space observer place = Eye kind place radial (sqrt (1 - 1 / r)) (sqrt (1 / r)) (orbitDirection radial) (sqrt (1 / (2 * (r - 1))))
+eye space observer place =
+  Eye
+    kind
+    place
+    radial
+    (sqrt (1 - 1 / r))
+    (sqrt (1 / r))
+    (orbitDirection radial)
+    (sqrt (1 / (2 * (r - 1))))
   where
     r = XYZ.norm place
     radial = (1 / r) *^ place
@@ -185,7 +194,9 @@ eye space observer place = Eye kind place radial (sqrt (1 - 1 / r)) (sqrt (1 / r
         | r <= observerRange Schwarzschild observer 0 || isNaN r -> Nobody
         | otherwise -> Near observer
       Kerr hole -> case kerrMotion observer of
-        Just motion | observerExists space observer place -> NearRotating (rotating hole motion place)
+        Just motion
+          | observerExists space observer place ->
+            NearRotating (rotating hole motion place)
         _ -> Nobody
 
 rotating :: Spin -> Motion -> XYZ -> Rotating
@@ -219,8 +230,17 @@ sightFrom prepared !direction = case kind of
   Near CounterOrbiting -> orbiting (XYZ.negated azimuthal)
   NearRotating (Rotating hole motion at azimuth southward eastward) ->
     RotatingSight hole azimuth
-      <$> lightRay hole at motion (Direction (XYZ.dot radial direction) (XYZ.dot southward direction) (XYZ.dot eastward direction))
-  Near Falling -> fromEnergy (1 + infall * XYZ.dot radial direction) (direction ^+^ infall *^ radial)
+      <$> lightRay
+        hole
+        at
+        motion
+        ( Direction
+            (XYZ.dot radial direction)
+            (XYZ.dot southward direction)
+            (XYZ.dot eastward direction)
+        )
+  Near Falling ->
+    fromEnergy (1 + infall * XYZ.dot radial direction) (direction ^+^ infall *^ radial)
   where
     -- Makes GHC pass the components of the direction one by one instead of those of the
     -- prepared observer, so that no direction is allocated.

@@ -123,7 +123,8 @@ explainPixel traced column row
     Just
       Explanation
         { explainedPixel = (column, row),
-          explainedMiddle = sighting scene traced Nothing (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)),
+          explainedMiddle =
+            sighting scene traced Nothing (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)),
           explainedSamples =
             [ (sighting scene traced (pixelSky traced column row) place) {sightingWeight = weight}
               | Sample place weight <- pixelSamples traced (estimateCount estimate) column row
@@ -169,7 +170,10 @@ arrival scene traced shared point sight =
             RotatingSight _ _ ray -> LambdaAndCarter (rayLambda ray) (rayEta ray),
           arrivalFrequency = sightFrequency sight,
           arrivalFate = fate,
-          arrivalCrossings = [crossingRedshift (gasFlow (sceneSpacetime scene)) sight crossing <$ crossing | crossing <- planeCrossings (tracerPaths traced) sight],
+          arrivalCrossings =
+            [ crossingRedshift (gasFlow (sceneSpacetime scene)) sight crossing <$ crossing
+              | crossing <- planeCrossings (tracerPaths traced) sight
+            ],
           arrivalSteps = steps,
           arrivalGasSamples = samples,
           arrivalTransmittance = transmittance,

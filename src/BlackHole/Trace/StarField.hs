@@ -82,12 +82,17 @@ tier unitFlux stars side limit rings from to =
       tierLimit = limit,
       tierCells = U.map fromIntegral starts,
       tierStars = sorted,
-      tierBlurred = environmentMapFromSources rings count (starDirection stars . (from +)) (light . (from +))
+      tierBlurred =
+        environmentMapFromSources rings count (starDirection stars . (from +)) (light . (from +))
     }
   where
     count = to - from
     cells = U.generate count (cellOf side . starDirection stars . (from +))
-    starts = U.scanl' (+) 0 (U.accumulate_ (+) (U.replicate (6 * side * side) 0) cells (U.replicate count 1))
+    starts =
+      U.scanl'
+        (+)
+        0
+        (U.accumulate_ (+) (U.replicate (6 * side * side) 0) cells (U.replicate count 1))
     flux i = unitFlux * starFlux stars i
     light i = scaleRadiance (flux i) (tabulatedColour (starTemperature stars i))
     sorted = U.create $ do
@@ -153,7 +158,8 @@ kernelRadius = 2.5
 -- star.
 starFieldRadiance :: StarField -> Double -> RayDifferential -> Radiance
 starFieldRadiance (StarField tiers) g differential@(RayDifferential (XYZ dx dy dz) a b)
-  | isNaN (extent + dx + dy + dz) || isInfinite extent = scaleRadiance g4 (foldMap (environmentMapMean . tierBlurred) tiers)
+  | isNaN (extent + dx + dy + dz) || isInfinite extent =
+    scaleRadiance g4 (foldMap (environmentMapMean . tierBlurred) tiers)
   | otherwise = scaleRadiance g4 (go black tiers)
   where
     !g4 = g * g * (g * g)
@@ -170,7 +176,8 @@ starFieldRadiance (StarField tiers) g differential@(RayDifferential (XYZ dx dy d
     go !light (t : rest)
       | share >= 1 = go (light <+> points t) rest
       | share <= 0 = go (light <+> blurred t) rest
-      | otherwise = go (light <+> scaleRadiance share (points t) <+> scaleRadiance (1 - share) (blurred t)) rest
+      | otherwise =
+        go (light <+> scaleRadiance share (points t) <+> scaleRadiance (1 - share) (blurred t)) rest
       where
         share = max 0 (min 1 (2 - 2 * extent / tierLimit t))
     points t
@@ -199,8 +206,14 @@ shiftedMixture temperature = \g light@(Radiance r0 g0 b0) ->
     then light
     else
       let place = rowAt tints (g / (1 + g))
-          tinted = Radiance (r0 * valueAt tints place 0) (g0 * valueAt tints place 1) (b0 * valueAt tints place 2)
-       in if luminance tinted > 0 then scaleRadiance (luminance light / luminance tinted) tinted else light
+          tinted =
+            Radiance
+              (r0 * valueAt tints place 0)
+              (g0 * valueAt tints place 1)
+              (b0 * valueAt tints place 2)
+       in if luminance tinted > 0
+            then scaleRadiance (luminance light / luminance tinted) tinted
+            else light
   where
     -- By g/(1 + g), which takes all shifts from 0 to ∞ into an interval.
     tints = tabulate 3 256 0 1 tint
@@ -231,11 +244,13 @@ data Window = Window !Int !Double !Double !Double !Double
 starWindows :: RayDifferential -> [Window]
 starWindows differential = window : others
   where
-    Look _ _ _ _ window others = lookThrough 1 (kernelRadius * differentialExtent differential) differential
+    Look _ _ _ _ window others =
+      lookThrough 1 (kernelRadius * differentialExtent differential) differential
 
 lookThrough :: Double -> Double -> RayDifferential -> Look
 lookThrough g extent differential@(RayDifferential d@(XYZ dx dy dz) (XYZ jx jy jz) (XYZ kx ky kz))
-  | ax >= ay && ax >= az = onFace (if dx >= 0 then Face 0 1 else Face 1 (-1)) dx dy dz jx jy jz kx ky kz
+  | ax >= ay && ax >= az =
+    onFace (if dx >= 0 then Face 0 1 else Face 1 (-1)) dx dy dz jx jy jz kx ky kz
   | ay >= az = onFace (if dy >= 0 then Face 2 1 else Face 3 (-1)) dy dz dx jy jz jx ky kz kx
   | otherwise = onFace (if dz >= 0 then Face 4 1 else Face 5 (-1)) dz dx dy jz jx jy kz kx ky
   where
@@ -250,7 +265,13 @@ lookThrough g extent differential@(RayDifferential d@(XYZ dx dy dz) (XYZ jx jy j
     onFace face w u v jw ju jv kw ku kv = case rectangle face w u v jw ju jv kw ku kv of
       Just window@(Window _ u0 u1 v0 v1)
         | u0 >= -1 && u1 <= 1 && v0 >= -1 && v1 <= 1 -> Look g d p q window []
-      _ -> case [w' | Just w'@(Window _ u0 u1 v0 v1) <- map bounds faces, u0 <= 1, u1 >= -1, v0 <= 1, v1 >= -1] of
+      _ -> case [ w'
+                  | Just w'@(Window _ u0 u1 v0 v1) <- map bounds faces,
+                    u0 <= 1,
+                    u1 >= -1,
+                    v0 <= 1,
+                    v1 >= -1
+                ] of
         first : others -> Look g d p q first others
         [] -> Look g d p q (Window 0 1 (-1) 1 (-1)) []
     faces = [Face 0 1, Face 1 (-1), Face 2 1, Face 3 (-1), Face 4 1, Face 5 (-1)]
@@ -276,11 +297,12 @@ lookThrough g extent differential@(RayDifferential d@(XYZ dx dy dz) (XYZ jx jy j
 
 -- | The stars of a tier in a beam: the sum of flux times kernel.
 tierPoints :: Look -> Tier -> Radiance
-tierPoints (Look !g (XYZ dx dy dz) (XYZ px py pz) (XYZ qx qy qz) window others) (Tier side _ cells stars _) =
+tierPoints look (Tier side _ cells stars _) =
   case others of
     [] -> scanWindow window black
     _ -> foldr scanWindow (scanWindow window black) others
   where
+    !(Look g (XYZ dx dy dz) (XYZ px py pz) (XYZ qx qy qz) window others) = look
     scanWindow (Window face u0 u1 v0 v1) = rows (face * side + index side v0)
       where
         !final = face * side + index side v1
@@ -294,7 +316,8 @@ tierPoints (Look !g (XYZ dx dy dz) (XYZ px py pz) (XYZ qx qy qz) window others) 
     scan :: Int -> Int -> Radiance -> Radiance
     scan !i !end !light
       | i >= end = light
-      | abs p >= kernelRadius || abs q >= kernelRadius || dx * x + dy * y + dz * z <= 0 = scan (i + 1) end light
+      | abs p >= kernelRadius || abs q >= kernelRadius || dx * x + dy * y + dz * z <= 0 =
+        scan (i + 1) end light
       | otherwise =
         let Radiance r' g' b' = tabulatedColour (g * at 4)
             k = at 3 * pixelKernel p * pixelKernel q

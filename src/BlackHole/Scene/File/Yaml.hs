@@ -89,7 +89,8 @@ document = do
         Just marked
           | EventDocumentEnd <- yamlEvent marked -> ending root
           | EventDocumentStart <- yamlEvent marked ->
-            pure (Left (YamlFault (lineOf marked) "a second document begins; a scene file holds one"))
+            pure
+              (Left (YamlFault (lineOf marked) "a second document begins; a scene file holds one"))
         _ -> pure (Right (Just root))
 
 -- | Deeper than any scene needs, but shallow enough to cost neither time nor memory.
@@ -111,7 +112,11 @@ node depth (Just marked) = case yamlEvent marked of
   where
     line = lineOf marked
     deep = depth >= maximumDepth
-    tooDeep = pure (Left (YamlFault line ("more than " ++ show maximumDepth ++ " levels, one inside the other")))
+    tooDeep =
+      pure
+        ( Left
+            (YamlFault line ("more than " ++ show maximumDepth ++ " levels, one inside the other"))
+        )
     plain tag style = style `elem` [Plain, PlainNoTag] && tag == NoTag
     items done = do
       event <- await
@@ -127,7 +132,8 @@ node depth (Just marked) = case yamlEvent marked of
           value <- either (pure . Left) (const (await >>= node (depth + 1))) key
           case (key, value) of
             (Right (Scalar place _ name), Right v) -> members ((place, name, v) : done)
-            (Right other, Right _) -> pure (Left (YamlFault (nodeLine other) "a key that is no name"))
+            (Right other, Right _) ->
+              pure (Left (YamlFault (nodeLine other) "a key that is no name"))
             (Left fault, _) -> pure (Left fault)
             (_, Left fault) -> pure (Left fault)
 
