@@ -66,10 +66,7 @@ allRows (Picture _ height) = (0, height)
 countsRow :: Scene -> Exposed -> Int -> Vector Float
 countsRow scene (Exposed light counts) row
   | row < 0 || row >= shapeHeight (pixelArrayShape light) = Vector.replicate width 0
-  | otherwise =
-    fromMaybe
-      (Vector.replicate width (fromIntegral (sceneSamples scene)))
-      (counts >>= (`pixelRow` row))
+  | otherwise = fromMaybe (Vector.replicate width (fromIntegral (sceneSamples scene))) (counts >>= (`pixelRow` row))
   where
     width = shapeWidth (pixelArrayShape light)
 
@@ -79,13 +76,7 @@ filmRows film (first, rows)
   | first < 0 || rows < 1 || first > shapeHeight shape - rows = Nothing
   | otherwise = do
     part <- pixelShape (shapeWidth shape) rows (shapeChannels shape)
-    fromPixelVector
-      part
-      ( Vector.slice
-          (first * shapeRowLength shape)
-          (rows * shapeRowLength shape)
-          (toPixelVector film)
-      )
+    fromPixelVector part (Vector.slice (first * shapeRowLength shape) (rows * shapeRowLength shape) (toPixelVector film))
   where
     shape = pixelArrayShape film
 
@@ -95,13 +86,8 @@ filmRows film (first, rows)
 -- called with the number of finished rows. The numbers equal those of the same rows of
 -- any other band, for any number of workers. 'Nothing' if the scene is not valid or lacks
 -- its map, or if the picture has no such rows.
-exposeFilm ::
-  Maybe EnvironmentMap -> Workers -> (Int -> IO ()) -> Scene -> (Int, Int) -> IO (Maybe Exposed)
-exposeFilm sky workers progress scene band =
-  maybe
-    (pure Nothing)
-    (\traced -> exposeTraced traced workers progress band)
-    (tracerWithSky sky scene)
+exposeFilm :: Maybe EnvironmentMap -> Workers -> (Int -> IO ()) -> Scene -> (Int, Int) -> IO (Maybe Exposed)
+exposeFilm sky workers progress scene band = maybe (pure Nothing) (\traced -> exposeTraced traced workers progress band) (tracerWithSky sky scene)
 
 -- | 'exposeFilm' for a scene that is prepared already.
 exposeTraced :: Tracer -> Workers -> (Int -> IO ()) -> (Int, Int) -> IO (Maybe Exposed)
@@ -113,9 +99,7 @@ exposeTraced traced workers progress (first, rows)
       _ <- mapShared workers pure (tracerTables traced)
       if mostSamples scene > sceneSamples scene
         then refineRows workers progress traced shape first
-        else
-          Just . (`Exposed` Nothing)
-            <$> generateRows workers progress shape (traceRow traced width . (first +))
+        else Just . (`Exposed` Nothing) <$> generateRows workers progress shape (traceRow traced width . (first +))
   where
     scene = tracerScene traced
     Picture width height = scenePicture scene
@@ -132,25 +116,15 @@ refineRows workers progress traced shape first = do
   counts <- MVector.unsafeNew (width * rows)
   let go from before
         | from >= rows = exposed <$> Vector.unsafeFreeze light <*> Vector.unsafeFreeze counts
-        | otherwise = case (,)
-          <$> pixelShape width count 4 <*> pixelShape width haloRows sumCount of
+        | otherwise = case (,) <$> pixelShape width count 4 <*> pixelShape width haloRows sumCount of
           Nothing -> pure Nothing
           Just (bandShape, haloShape) -> do
             sums <- generateRows workers (progress . (from +) . (`quot` 2)) haloShape $ \y row ->
-              case before >>= \(beforeFirst, known) ->
-                pixelRow known (haloFirst + y - beforeFirst) of
+              case before >>= \(beforeFirst, known) -> pixelRow known (haloFirst + y - beforeFirst) of
                 Just known -> Vector.unsafeCopy row known
                 Nothing -> sumRow traced width (haloFirst + y) row
-            band <-
-              generateRows
-                workers
-                (progress . (from +) . half . (count +))
-                bandShape
-                (refineRow traced width haloFirst sums . (first + from +))
-            separate
-              (toPixelVector band)
-              (MVector.slice (3 * width * from) (3 * width * count) light)
-              (MVector.slice (width * from) (width * count) counts)
+            band <- generateRows workers (progress . (from +) . half . (count +)) bandShape (refineRow traced width haloFirst sums . (first + from +))
+            separate (toPixelVector band) (MVector.slice (3 * width * from) (3 * width * count) light) (MVector.slice (width * from) (width * count) counts)
             -- The sums are the largest object besides the film.
             when (from + count < rows) performMajorGC
             go (from + count) (Just (haloFirst, sums))
@@ -174,8 +148,7 @@ separate both light counts = go 0
   where
     go :: Int -> IO ()
     go !i = when (i < MVector.length counts) $ do
-      for_ [0 .. 2] $ \k ->
-        MVector.unsafeWrite light (3 * i + k) (Vector.unsafeIndex both (4 * i + k))
+      for_ [0 .. 2] $ \k -> MVector.unsafeWrite light (3 * i + k) (Vector.unsafeIndex both (4 * i + k))
       MVector.unsafeWrite counts i (Vector.unsafeIndex both (4 * i + 3))
       go (i + 1)
 
@@ -206,8 +179,7 @@ firstSamples traced width row column
 {-# INLINE firstSamples #-}
 
 -- | Runs an action for every pixel of a row with its estimate, three pixels at a time.
-forThrees ::
-  Int -> (Int -> (Estimate, Estimate, Estimate)) -> (Int -> Estimate -> ST s ()) -> ST s ()
+forThrees :: Int -> (Int -> (Estimate, Estimate, Estimate)) -> (Int -> Estimate -> ST s ()) -> ST s ()
 forThrees !width estimates act = go 0
   where
     go !column = when (column < width) $ do
@@ -248,8 +220,7 @@ refineRow traced !width !sumsFirst sums !row pixels = go 0
     scene = tracerScene traced
     !numbers = toPixelVector sums
     sumOf :: Int -> Int -> Int -> Double
-    sumOf c r k =
-      realToFrac (Vector.unsafeIndex numbers (sumCount * (width * (r - sumsFirst) + c) + k))
+    sumOf c r k = realToFrac (Vector.unsafeIndex numbers (sumCount * (width * (r - sumsFirst) + c) + k))
     first c = estimateFromSums (sceneSamples scene) (sumOf c row)
     uncertain c r = uncertainEstimate scene (sumOf c r seenPlace) (sumOf c r (seenPlace + 1))
 
@@ -280,8 +251,7 @@ developRow !prepared !row light codes = go 0 0
 -- | 'developFilm' in 16 bits, which need no dither, for a band of the film that starts at
 -- this row.
 developFilmFinely :: Workers -> Development -> Int -> Film -> IO (PixelArray Word16)
-developFilmFinely workers development first =
-  mapRows workers (developRowFinely prepared . (first +))
+developFilmFinely workers development first = mapRows workers (developRowFinely prepared . (first +))
   where
     !prepared = developer development
 
