@@ -2,8 +2,8 @@
 --
 -- A scene starts as a preset or a scene file. 'change' replaces settings by the names
 -- that scene files use for them; 'settingNames' lists these names, and @blackhole scene
--- show default@ prints each setting with its meaning and unit. A film is the linear
--- light of a scene's pixels. A picture is a developed and encoded film.
+-- show default@ prints each setting with its meaning and unit. 'Exposed' is
+-- the linear light of a scene's pixels. A picture is that light, developed and encoded.
 --
 -- This module is the library's stable interface: its exports keep their meaning between
 -- minor versions. All other modules are exposed as well, for callers who want a part of
@@ -24,7 +24,7 @@ module BlackHole
     printScene,
 
     -- * Light
-    Film,
+    Exposed,
     renderFilm,
     filmSize,
     filmRadiance,
@@ -109,34 +109,31 @@ printScene = SceneFile.printScene []
 -- result does not depend on the number of processors. 'Left' holds one line per problem
 -- with the scene. A ray takes from 0.1 µs through empty space to several microseconds
 -- through the gas.
-renderFilm :: (Int -> IO ()) -> Scene -> IO (Either [String] Film)
+renderFilm :: (Int -> IO ()) -> Scene -> IO (Either [String] Exposed)
 renderFilm progress scene = case map renderProblem (validateScene scene) of
   [] -> loadSky scene >>= either (pure . Left . pure) (withAllWorkers . under)
   problems -> pure (Left problems)
   where
     under sky workers =
-      maybe (Left ["this scene can't be traced"]) (Right . Film)
+      maybe (Left ["this scene can't be traced"]) Right
         <$> exposeFilm (skyFileImage <$> sky) workers progress scene (allRows (scenePicture scene))
 
--- | The linear light of a scene's pixels, and the number of samples of each.
-newtype Film = Film Exposed
-
 -- | The width and height of a film in pixels.
-filmSize :: Film -> (Int, Int)
-filmSize (Film exposed) = (shapeWidth shape, shapeHeight shape)
+filmSize :: Exposed -> (Int, Int)
+filmSize exposed = (shapeWidth shape, shapeHeight shape)
   where
     shape = pixelArrayShape (exposedLight exposed)
 
 -- | @filmRadiance film column row@ is the radiance of a pixel, counted from the top
 -- left corner; 'Nothing' outside the film.
-filmRadiance :: Film -> Int -> Int -> Maybe Radiance
-filmRadiance (Film exposed) = Film.filmRadiance (exposedLight exposed)
+filmRadiance :: Exposed -> Int -> Int -> Maybe Radiance
+filmRadiance = Film.filmRadiance . exposedLight
 
 -- | Develops a film as its scene prescribes, and writes it in the format of the file's
 -- extension. The file appears, or replaces an earlier one, only when it is complete. It
 -- stores the scene. 'Left' holds one line with the reason for a failure.
-writeFilm :: FilePath -> Scene -> Film -> IO (Either [String] ())
-writeFilm file scene (Film exposed) = inFormat file $ \format -> do
+writeFilm :: FilePath -> Scene -> Exposed -> IO (Either [String] ())
+writeFilm file scene exposed = inFormat file $ \format -> do
   bytes <-
     withAllWorkers
       (\workers -> pictureBytes workers software format defaultCoding (scene :| []) exposed)

@@ -15,7 +15,7 @@ import BlackHole.Scene.Scene
 import BlackHole.Scene.Shifts
 import BlackHole.Scene.Validate (Problem (..))
 import BlackHole.Spacetime.Fate (Fate (..), fateName)
-import BlackHole.Spacetime.Observer (observerName)
+import BlackHole.Spacetime.Observer (Constants (..), observerName)
 import BlackHole.Spacetime.PlaneCrossing (PlaneCrossing (..))
 import BlackHole.Spacetime.Types (spacetimeCriticalImpact)
 import BlackHole.Trace.Explain

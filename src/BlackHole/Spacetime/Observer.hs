@@ -16,6 +16,8 @@ module BlackHole.Spacetime.Observer
     SightLine (..),
     sightFrequency,
     sightPhoton,
+    Constants (..),
+    sightConstants,
     Eye,
     eye,
     eyePlace,
@@ -143,6 +145,20 @@ sightFrequency (RotatingSight _ _ ray) = rayObserved ray
 sightPhoton :: SightLine -> Maybe Photon
 sightPhoton (SightLine photon _) = Just photon
 sightPhoton RotatingSight {} = Nothing
+
+-- | What does not change along a light path, for unit energy at infinity.
+data Constants
+  = -- | @x × v@. Its length is the impact parameter in Schwarzschild radii.
+    AngularMomentum !XYZ
+  | -- | Around a rotating hole: the angular momentum λ about the axis, in Schwarzschild
+    -- radii, and Carter's constant, in their squares.
+    LambdaAndCarter !Double !Double
+  deriving (Eq, Show)
+
+-- | The constants of the light path that a line of sight follows.
+sightConstants :: SightLine -> Constants
+sightConstants (SightLine photon _) = AngularMomentum (angularMomentum photon)
+sightConstants (RotatingSight _ _ ray) = LambdaAndCarter (rayLambda ray) (rayEta ray)
 
 -- | An observer at a position, prepared with everything that all lines of sight share.
 data Eye = Eye

@@ -6,7 +6,6 @@ module BlackHole.Trace.Explain
   ( Explanation (..),
     Sighting (..),
     Arrival (..),
-    Constants (..),
     opticalDepth,
     Shown (..),
     explainPixel,
@@ -23,10 +22,8 @@ import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
 import BlackHole.Spacetime.Fate (Fate)
 import BlackHole.Spacetime.Follow (planeCrossings)
-import BlackHole.Spacetime.Kerr.Sight (LightRay (..))
 import BlackHole.Spacetime.LightPath
-import BlackHole.Spacetime.Observer (SightLine (..), sightFrequency)
-import BlackHole.Spacetime.Photon (angularMomentum)
+import BlackHole.Spacetime.Observer (Constants, SightLine, sightConstants, sightFrequency)
 import BlackHole.Spacetime.PlaneCrossing (PlaneCrossing)
 import BlackHole.Trace.Adaptive
 import BlackHole.Trace.Estimate
@@ -87,15 +84,6 @@ data Arrival = Arrival
     -- | Radiance of the sky before it passes the gas.
     arrivalSky :: !Radiance
   }
-  deriving (Eq, Show)
-
--- | What does not change along a light path, for unit energy at infinity.
-data Constants
-  = -- | @x × v@. Its length is the impact parameter in Schwarzschild radii.
-    AngularMomentum !XYZ
-  | -- | Around a rotating hole: the angular momentum λ about the axis, in Schwarzschild
-    -- radii, and Carter's constant, in their squares.
-    LambdaAndCarter !Double !Double
   deriving (Eq, Show)
 
 -- | The optical depth of the gas along the path: −ln of the transmittance, at least 0,
@@ -165,9 +153,7 @@ arrival scene traced shared point sight =
   case counted traced point sight of
     Followed fate (Counted samples (Gathered light transmittance)) steps ->
       Arrival
-        { arrivalConstants = case sight of
-            SightLine photon _ -> AngularMomentum (angularMomentum photon)
-            RotatingSight _ _ ray -> LambdaAndCarter (rayLambda ray) (rayEta ray),
+        { arrivalConstants = sightConstants sight,
           arrivalFrequency = sightFrequency sight,
           arrivalFate = fate,
           arrivalCrossings =

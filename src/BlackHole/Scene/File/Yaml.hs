@@ -2,6 +2,9 @@
 --
 -- The reader accepts only as much of YAML as a scene needs (no aliases, limited depth),
 -- so that no file can keep it busy for long.
+--
+-- Written by hand on libyaml's events because the values that the yaml package makes of
+-- them have lost the lines, which error messages name, and the repeated keys.
 module BlackHole.Scene.File.Yaml
   ( Node (..),
     nodeLine,
