@@ -17,7 +17,6 @@ module BlackHole.Trace.EnvironmentMap
     environmentMapFromPixels,
     environmentMapFromDirections,
     environmentMapFromSources,
-    environmentMapLevels,
     environmentMapMean,
     environmentMapRadiance,
     turned,
@@ -209,22 +208,6 @@ fieldRadiance fields field = Radiance (channel 0) (channel 1) (channel 2)
   where
     channel c = float2Double (U.unsafeIndex fields (3 * field + c))
 {-# INLINE fieldRadiance #-}
-
--- | The mean radiance over the sphere of every level, finest first: equal up to
--- rounding.
-environmentMapLevels :: EnvironmentMap -> [Radiance]
-environmentMapLevels image =
-  [levelMean level rings | (level, rings) <- zip [0 ..] (U.toList (imageRings image))]
-  where
-    levelMean level rings = foldl (<+>) black (map (ringLight level rings) [0 .. rings - 1])
-    ringLight level rings i =
-      let ring = imageFirstRing image U.! level + i
-          start = imageRingStart image U.! ring
-          n = imageRingStart image U.! (ring + 1) - start
-          weight = 0.5 * (cosineAt rings i - cosineAt rings (i + 1)) / fromIntegral n
-       in scaleRadiance
-            weight
-            (foldl (<+>) black (map (fieldRadiance (imageFields image)) [start .. start + n - 1]))
 
 -- | The mean radiance over the sphere: the one field of the coarsest level.
 environmentMapMean :: EnvironmentMap -> Radiance

@@ -127,7 +127,8 @@ density disk = \place -> along field place 1e-3
     field = fieldOf disk
 
 along :: GasField -> XYZ -> Double -> Double
-along field place = logDensity field place (XYZ.norm place)
+along field place len = case gasAt field place (XYZ.norm place) len 1 of
+  Here dense _ -> if dense > 0 then log dense else 2 * faintest
 
 -- | Fields that many examples share.
 turbulentField :: GasField

@@ -8,6 +8,7 @@ import BlackHole.Spacetime.Schwarzschild.Deflection
 import BlackHole.Trace.RayDifferential
 import BlackHole.Trace.StarCatalogue
 import BlackHole.Trace.StarField
+import BlackHole.Trace.StarWindow
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
 import qualified BlackHole.Vector.XYZ as XYZ
@@ -70,9 +71,9 @@ spec = do
   it "looks for stars no farther away than the kernel reaches" $
     -- A larger window costs time and shows in no picture.
     forM_ [1e-4, 0.003, 0.02] $ \width ->
-      starWindows (RayDifferential (XYZ 0 0 1) (XYZ width 0 0) (XYZ 0 (0.5 * width) 0))
+      lookThrough 1 (kernelRadius * width) (RayDifferential (XYZ 0 0 1) (XYZ width 0 0) (XYZ 0 (0.5 * width) 0))
         `shouldSatisfy` \case
-          [Window 4 u0 u1 v0 v1] ->
+          Look _ _ _ _ (Window 4 u0 u1 v0 v1) [] ->
             and
               [ edge >= 1 && edge < 1.06
                 | (end, half) <- [(-u0, width), (u1, width), (-v0, 0.5 * width), (v1, 0.5 * width)],
@@ -96,12 +97,13 @@ spec = do
                   * pixelKernel 0 ^ (2 :: Int) / (width * width * min (1 / 60) (4 * width))
       ]
   it "narrow beams see on average what wide ones see" $ do
-    let many = starField 1 (starCatalogue (Seed 5) 20000)
+    let many = starField 1 stars
         average width =
           sum
             [luminance (starFieldRadiance many 1 (spiralDifferential width i)) | i <- [0 .. 19999]]
             / 20000
-        whole = luminance (starFieldMean many)
+        stars = starCatalogue (Seed 5) 20000
+        whole = sum (map (starFlux stars) [0 .. 19999]) / (4 * pi)
     -- The beams at 0.02 rad and those at 0.1 overlap each other.
     average 0.02 `shouldBeWithin` (0.02 * whole, whole)
     average 0.06 `shouldBeWithin` (0.02 * whole, whole)
