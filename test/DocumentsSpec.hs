@@ -291,7 +291,7 @@ quotations =
     ),
     ( "docs/physics.md",
       "and 10 beyond r = 40",
-      "src/BlackHole/Spacetime/Schwarzschild/LeapfrogStep.hs",
+      "src/BlackHole/Spacetime/Schwarzschild/StepRule.hs",
       "| r2 > 1600 = 10"
     ),
     ( "docs/options.md",

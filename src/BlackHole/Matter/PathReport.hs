@@ -19,8 +19,8 @@ import BlackHole.Spacetime.Momentum
 import BlackHole.Spacetime.PathPlane (meetsDiskPlane)
 import BlackHole.Spacetime.Photon
 import BlackHole.Spacetime.PlaneCrossing
-import BlackHole.Spacetime.Schwarzschild.Leapfrog
 import BlackHole.Spacetime.Schwarzschild.LeapfrogStep
+import BlackHole.Spacetime.Schwarzschild.StepRule
 import BlackHole.Spacetime.Schwarzschild.Trajectory
 import BlackHole.Spacetime.Schwarzschild.TrajectoryPoints
 import BlackHole.Spacetime.Types (Spacetime (Schwarzschild))

@@ -12,7 +12,7 @@ module BlackHole.Scene.Disk
   )
 where
 
-import BlackHole.Spacetime.LightPath (Region (..))
+import BlackHole.Spacetime.Region (Region (..))
 
 -- | A spiral disk of gas around @+y@. Radii and lengths are in Schwarzschild
 -- radii.

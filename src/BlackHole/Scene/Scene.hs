@@ -25,10 +25,9 @@ import BlackHole.Scene.Disk
 import BlackHole.Scene.Filter (Filter)
 import BlackHole.Scene.Shifts (Shifts)
 import BlackHole.Scene.Sky (Sky)
-import BlackHole.Spacetime.LightPath (Region, emptyRegion)
+import BlackHole.Spacetime.Region (Region, emptyRegion)
 import BlackHole.Spacetime.Observer (Observer)
-import BlackHole.Spacetime.Schwarzschild.Leapfrog
-import BlackHole.Spacetime.Schwarzschild.LeapfrogStep
+import BlackHole.Spacetime.Schwarzschild.StepRule
 import BlackHole.Spacetime.Types (Spacetime)
 import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Word (Word64)

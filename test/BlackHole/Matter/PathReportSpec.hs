@@ -4,7 +4,7 @@ import BlackHole.Matter.PathReport
 import BlackHole.Numeric.Angle
 import BlackHole.Spacetime.Fate (fateName)
 import BlackHole.Spacetime.PlaneCrossing
-import BlackHole.Spacetime.Schwarzschild.LeapfrogStep
+import BlackHole.Spacetime.Schwarzschild.StepRule
 import BlackHole.Spacetime.Schwarzschild.Trajectory
 import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Maybe (fromMaybe)

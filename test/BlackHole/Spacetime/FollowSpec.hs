@@ -5,8 +5,7 @@ import BlackHole.Matter.Redshift
 import BlackHole.Spacetime.Follow
 import BlackHole.Spacetime.Observer
 import BlackHole.Spacetime.PlaneCrossing
-import BlackHole.Spacetime.Schwarzschild.Leapfrog
-import BlackHole.Spacetime.Schwarzschild.LeapfrogStep
+import BlackHole.Spacetime.Schwarzschild.StepRule
 import BlackHole.Spacetime.Types
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
 import qualified BlackHole.Vector.XYZ as XYZ

@@ -11,9 +11,7 @@
 -- | Light followed step by step ("BlackHole.Spacetime.Schwarzschild.LeapfrogStep"), one
 -- photon at a time or three.
 module BlackHole.Spacetime.Schwarzschild.Leapfrog
-  ( Leapfrog (..),
-    defaultLeapfrog,
-    followLeapfrog,
+  ( followLeapfrog,
     followThree,
   )
 where
@@ -24,31 +22,11 @@ import BlackHole.Spacetime.March (enclosingRadius)
 import BlackHole.Spacetime.Momentum
 import BlackHole.Spacetime.PathPlane
 import BlackHole.Spacetime.Photon
-import BlackHole.Spacetime.Schwarzschild.LeapfrogStep
+import BlackHole.Spacetime.Schwarzschild.StepRule
 import BlackHole.Spacetime.Types (Spacetime, pullOfGravity)
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
 import qualified BlackHole.Vector.XYZ as XYZ
-
--- | The parameters of the integration.
-data Leapfrog = Leapfrog
-  { leapfrogSteps :: !StepRule,
-    -- | Radius of the celestial sphere, beyond which gravity no longer matters.
-    leapfrogSkyRadius :: !Double,
-    -- | Number of steps after which a path is given up.
-    leapfrogStepLimit :: !Int
-  }
-  deriving (Eq, Show)
-
--- | The report's steps, its celestial sphere at 2000 Schwarzschild radii, and a limit
--- that only paths trapped at the photon sphere reach.
-defaultLeapfrog :: Leapfrog
-defaultLeapfrog =
-  Leapfrog
-    { leapfrogSteps = reportStepRule,
-      leapfrogSkyRadius = 2000,
-      leapfrogStepLimit = 200000
-    }
 
 -- | Follows a photon of unit energy ('withUnitEnergy') step by step until it is
 -- captured (moving inward at @r ≤ 1@), escapes (moving outward beyond the celestial
