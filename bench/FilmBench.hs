@@ -8,7 +8,7 @@ import BlackHole.Image.Metadata
 import BlackHole.Light.Display
 import BlackHole.Light.Dither
 import BlackHole.Render.Bloom
-import BlackHole.Render.Film
+import BlackHole.Render.Exposed
 import BlackHole.Render.Layer (noLayers)
 import BlackHole.Render.PixelArray
 import BlackHole.Render.PixelShape

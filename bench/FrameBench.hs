@@ -1,6 +1,7 @@
 -- | Complete small pictures, from scene to animation, on one core.
 module FrameBench (benchmarks) where
 
+import BlackHole.Render.Exposed
 import BlackHole.Render.Film
 import BlackHole.Render.Workers (oneWorker)
 import BlackHole.Scene.Camera (Picture (..))

@@ -9,6 +9,7 @@ import BlackHole.Light.Radiance
 import BlackHole.Light.ToneMap (ToneCurve (..), toneCurve)
 import BlackHole.Numeric.Angle (Degrees (..))
 import BlackHole.Render.Bloom
+import BlackHole.Render.Exposed
 import BlackHole.Render.Film
 import BlackHole.Render.Optics
 import BlackHole.Render.PixelArray

@@ -9,7 +9,7 @@ import BlackHole.Spacetime.LightPath
 import BlackHole.Spacetime.Observer
 import BlackHole.Spacetime.Photon
 import BlackHole.Spacetime.Schwarzschild.Deflection
-import BlackHole.Spacetime.Schwarzschild.Leapfrog
+import BlackHole.Spacetime.Schwarzschild.StepRule
 import BlackHole.Spacetime.Schwarzschild.LeapfrogStep
 import BlackHole.Spacetime.Schwarzschild.Orbit (orbit, orbitFate, orbitSweep)
 import BlackHole.Spacetime.Types (Spacetime (..))

@@ -44,8 +44,9 @@ import BlackHole.Image.SceneSource (readSceneFile)
 import BlackHole.Image.SkyFile (SkyFile (..), loadSky)
 import BlackHole.Image.Write (pictureBytes)
 import BlackHole.Light.Radiance (Radiance (..))
-import BlackHole.Render.Film (Exposed (..), allRows, exposeFilm)
-import qualified BlackHole.Render.Film as Film
+import BlackHole.Render.Exposed (Exposed (..), allRows)
+import BlackHole.Render.Film (exposeFilm)
+import qualified BlackHole.Render.Exposed as Film
 import BlackHole.Render.PixelArray (pixelArrayShape)
 import BlackHole.Render.PixelShape (shapeHeight, shapeWidth)
 import BlackHole.Render.Workers (Workers, defaultWorkers, withWorkers)

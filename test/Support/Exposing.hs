@@ -11,6 +11,7 @@ import BlackHole.Image.Destination (inMemory)
 import BlackHole.Image.File (fileEncoder)
 import BlackHole.Image.Metadata (Metadata)
 import BlackHole.Light.Display (Development)
+import BlackHole.Render.Exposed
 import BlackHole.Render.Film
 import BlackHole.Render.Layer (Layers)
 import BlackHole.Render.PixelArray (pixelArrayShape)

@@ -18,6 +18,7 @@ import BlackHole.Image.Metadata
 import BlackHole.Image.Write
 import BlackHole.Light.Display (ToneMap (..))
 import BlackHole.Light.Dither (Dither (..))
+import BlackHole.Render.Exposed
 import BlackHole.Render.Film
 import BlackHole.Render.Optics
 import BlackHole.Render.PixelArray

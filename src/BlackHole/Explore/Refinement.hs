@@ -17,7 +17,7 @@ import BlackHole.Explore.Pace
 import BlackHole.Explore.Picture
 import BlackHole.Explore.Reply
 import BlackHole.Light.Display (Exposure (..))
-import BlackHole.Render.Film
+import BlackHole.Render.Exposed
 import BlackHole.Render.PixelArray
 import BlackHole.Render.PixelShape
 import BlackHole.Scene.Camera (Picture (..))

@@ -16,6 +16,7 @@ import BlackHole.Image.Coding
 import BlackHole.Image.Destination
 import BlackHole.Image.Metadata (software)
 import BlackHole.Image.Write
+import BlackHole.Render.Exposed
 import BlackHole.Render.Film
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Preset

@@ -16,7 +16,7 @@ where
 import BlackHole.Image.Bytes
 import BlackHole.Image.Metadata
 import BlackHole.Image.Sphere
-import BlackHole.Render.Film (Film)
+import BlackHole.Render.Exposed (Film)
 import BlackHole.Render.PixelArray (PixelArray, pixelArrayShape, toPixelVector)
 import BlackHole.Render.PixelShape
 import Data.Bits (Bits, shiftR)

@@ -16,7 +16,7 @@ module BlackHole.Render.Bloom
   )
 where
 
-import BlackHole.Render.Film (Film, filmRows)
+import BlackHole.Render.Exposed (Film, filmRows)
 import BlackHole.Render.PixelArray
 import BlackHole.Render.PixelShape
 import BlackHole.Render.Pyramid

@@ -10,7 +10,7 @@ import BlackHole.Light.Display (Exposure (..))
 import BlackHole.Numeric.Angle
 import BlackHole.Render.Beam
 import BlackHole.Render.Bloom
-import BlackHole.Render.Film (Film, filmRows)
+import BlackHole.Render.Exposed (Film, filmRows)
 import BlackHole.Render.PixelArray
 import BlackHole.Render.PixelRows (mapRows)
 import BlackHole.Render.PixelShape

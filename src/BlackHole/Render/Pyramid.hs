@@ -20,7 +20,7 @@ module BlackHole.Render.Pyramid
   )
 where
 
-import BlackHole.Render.Film (Film)
+import BlackHole.Render.Exposed (Film)
 import BlackHole.Render.PixelArray
 import BlackHole.Render.PixelRows (mapRows)
 import BlackHole.Render.PixelShape

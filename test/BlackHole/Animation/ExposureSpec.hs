@@ -2,7 +2,7 @@ module BlackHole.Animation.ExposureSpec (spec) where
 
 import BlackHole.Animation.Exposure
 import BlackHole.Numeric.Angle
-import BlackHole.Render.Film
+import BlackHole.Render.Exposed
 import BlackHole.Render.PixelArray (toPixelVector)
 import BlackHole.Render.Workers
 import BlackHole.Scene.Camera

@@ -6,7 +6,7 @@ import BlackHole.Image.File
 import BlackHole.Image.Metadata
 import BlackHole.Light.Display
 import BlackHole.Light.Dither
-import BlackHole.Render.Film
+import BlackHole.Render.Exposed
 import BlackHole.Render.Layer
 import BlackHole.Render.PixelArray
 import BlackHole.Render.PixelShape

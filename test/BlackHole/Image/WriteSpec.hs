@@ -4,7 +4,7 @@ import BlackHole.Image.Coding
 import BlackHole.Image.Destination
 import BlackHole.Image.Write
 import BlackHole.Light.Display
-import BlackHole.Render.Film
+import BlackHole.Render.Exposed
 import BlackHole.Render.PixelArray
 import BlackHole.Render.PixelShape
 import BlackHole.Render.Workers

@@ -1,7 +1,7 @@
 module BlackHole.Render.BloomSpec (spec) where
 
 import BlackHole.Render.Bloom
-import BlackHole.Render.Film
+import BlackHole.Render.Exposed
 import BlackHole.Render.PixelArray
 import BlackHole.Render.PixelShape
 import BlackHole.Render.Workers

@@ -2,7 +2,7 @@ module BlackHole.Render.OpticsSpec (spec) where
 
 import BlackHole.Numeric.Angle
 import BlackHole.Render.Beam
-import BlackHole.Render.Film
+import BlackHole.Render.Exposed
 import BlackHole.Render.Optics
 import BlackHole.Render.PixelArray
 import BlackHole.Render.PixelShape

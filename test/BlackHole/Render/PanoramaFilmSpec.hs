@@ -3,6 +3,7 @@ module BlackHole.Render.PanoramaFilmSpec (spec) where
 
 import BlackHole.Light.Radiance
 import BlackHole.Numeric.Angle (Degrees (..))
+import BlackHole.Render.Exposed
 import BlackHole.Render.Film
 import BlackHole.Render.PixelArray (toPixelVector)
 import BlackHole.Render.Workers

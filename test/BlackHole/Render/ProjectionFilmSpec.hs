@@ -2,7 +2,7 @@ module BlackHole.Render.ProjectionFilmSpec (spec) where
 
 import BlackHole.Light.Radiance
 import BlackHole.Numeric.Angle
-import BlackHole.Render.Film
+import BlackHole.Render.Exposed
 import BlackHole.Render.Workers
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Field.Kind (Value (..))

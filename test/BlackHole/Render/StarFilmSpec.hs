@@ -4,7 +4,7 @@ module BlackHole.Render.StarFilmSpec (spec) where
 import BlackHole.Light.Radiance
 import BlackHole.Noise.PerlinG (Seed)
 import BlackHole.Numeric.Angle (Degrees (..))
-import BlackHole.Render.Film
+import BlackHole.Render.Exposed
 import BlackHole.Render.Workers
 import BlackHole.Scene.Camera (Camera (..), Picture (..), Pose (..))
 import BlackHole.Scene.Preset

@@ -2,7 +2,7 @@ module BlackHole.Trace.ExplainSpec (spec) where
 
 import BlackHole.Light.Radiance
 import BlackHole.Numeric.Angle
-import BlackHole.Render.Film
+import BlackHole.Render.Exposed
 import BlackHole.Render.PixelRows (pixelChannels)
 import BlackHole.Render.Workers
 import BlackHole.Scene.Camera

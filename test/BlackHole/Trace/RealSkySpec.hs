@@ -3,7 +3,7 @@ module BlackHole.Trace.RealSkySpec (spec) where
 import BlackHole.Image.Digest
 import BlackHole.Light.Radiance
 import BlackHole.Numeric.Angle (Degrees (..))
-import BlackHole.Render.Film
+import BlackHole.Render.Exposed
 import BlackHole.Render.Workers
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Preset
