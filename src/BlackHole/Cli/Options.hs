@@ -11,7 +11,7 @@ module BlackHole.Cli.Options
 where
 
 import BlackHole.Cli.Animate.Options (AnimateOptions, animateOptions)
-import BlackHole.Cli.Explore (ExploreOptions, exploreOptions)
+import BlackHole.Cli.Explore.Options (ExploreOptions, exploreOptions)
 import BlackHole.Cli.Help
 import BlackHole.Cli.Join (JoinOptions, joinOptions)
 import BlackHole.Cli.ManualPage (manualPage)

@@ -26,6 +26,7 @@ import BlackHole.Scene.Field.Table
 import BlackHole.Scene.File.SceneFile
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene
+import BlackHole.Scene.Idle
 import BlackHole.Scene.Setting
 import BlackHole.Scene.Validate
 import BlackHole.Trace.Explain

@@ -14,6 +14,7 @@ import BlackHole.Scene.File.Yaml (YamlFault (..))
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Problem
 import BlackHole.Scene.Scene
+import BlackHole.Scene.Idle
 import BlackHole.Scene.Setting
 import BlackHole.Scene.Validate
 import qualified Data.ByteString as Bytes

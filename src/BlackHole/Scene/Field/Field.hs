@@ -8,10 +8,6 @@ module BlackHole.Scene.Field.Field
     optionName,
     fieldLabel,
 
-    -- * Parts of a scene
-    Part (..),
-    inside,
-
     -- * Kinds of fields
     number,
     whole,
@@ -31,9 +27,9 @@ module BlackHole.Scene.Field.Field
 where
 
 import BlackHole.Scene.Field.Kind
+import BlackHole.Scene.Field.Part
 import BlackHole.Scene.Scene (Scene)
 import BlackHole.Vector.XYZ (XYZ)
-import Control.Monad ((>=>))
 import Data.List (find)
 import Data.Word (Word64)
 
@@ -88,20 +84,6 @@ optionName (Sets name _ _) = "--" ++ name
 -- its path if it has none.
 fieldLabel :: Field -> String
 fieldLabel f = maybe (fieldPath f) optionName (fieldOption f)
-
--- | A part of a whole, which may lack it: how to get the part, and how to replace it.
-data Part whole part = Part
-  { partOf :: !(whole -> Maybe part),
-    partSet :: !(part -> whole -> whole)
-  }
-
--- | A part of a part. Replaces nothing if the outer part is missing.
-inside :: Part whole middle -> Part middle part -> Part whole part
-inside outer inner =
-  Part
-    { partOf = partOf outer >=> partOf inner,
-      partSet = \p w -> maybe w (\m -> partSet outer (partSet inner p m) w) (partOf outer w)
-    }
 
 -- | A setting that lacks the part of a scene that it sets, and its documentation.
 type FieldOf a = Part Scene a -> String -> Field

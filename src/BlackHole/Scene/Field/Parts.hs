@@ -44,7 +44,7 @@ import BlackHole.Scene.Camera
   )
 import BlackHole.Scene.Disk (DiskColour (..), defaultDisk)
 import qualified BlackHole.Scene.Disk as Gas
-import BlackHole.Scene.Field.Field
+import BlackHole.Scene.Field.Part
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Shifts (Shifts (..))
 import BlackHole.Scene.Sky

@@ -1,10 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | @blackhole explore@: a live view in the browser.
-module BlackHole.Cli.Explore
-  ( ExploreOptions (..),
-    exploreOptions,
-    explore,
+module BlackHole.Cli.Explore.Explore
+  ( explore,
     service,
   )
 where
@@ -12,11 +10,10 @@ where
 import BlackHole.Cli.Check (checkThreads)
 import BlackHole.Cli.Console (printText, say)
 import BlackHole.Cli.ExitStatus
+import BlackHole.Cli.Explore.Options
 import BlackHole.Cli.ExploreJson
 import BlackHole.Cli.Json
 import BlackHole.Cli.Memory
-import BlackHole.Cli.Read
-import BlackHole.Cli.RunOptions (threadsOption)
 import BlackHole.Cli.SceneOptions
 import BlackHole.Explore.Access
 import BlackHole.Explore.PageFiles
@@ -38,42 +35,10 @@ import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Char8 as Char8
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Maybe (fromMaybe)
-import Options.Applicative
 import System.Directory (findExecutable)
 import System.Environment (lookupEnv)
 import System.Info (os)
 import System.Process (CreateProcess (..), StdStream (NoStream), createProcess, proc)
-
--- | The options of @blackhole explore@.
-data ExploreOptions = ExploreOptions
-  { exploreScene :: !SceneOptions,
-    explorePort :: !(Maybe Int),
-    -- | Do not open a browser.
-    exploreNoOpen :: !Bool,
-    -- | Go on when the last page is closed.
-    exploreKeep :: !Bool,
-    exploreThreads :: !(Maybe Int)
-  }
-  deriving (Eq, Show)
-
--- | Their parser.
-exploreOptions :: Parser ExploreOptions
-exploreOptions =
-  ExploreOptions
-    <$> sceneOptions
-    <*> setting
-      ( option
-          wholeNumber
-          ( long "port" <> metavar "N"
-              <> help "Port of the loopback interface (default: a free one)"
-          )
-      )
-    <*> toggle (long "no-open" <> help "Only print the address instead of opening it in a browser")
-    <*> toggle
-      ( long "keep"
-          <> help "Keep running when the last page is closed (default: end half a minute later)"
-      )
-    <*> threadsOption
 
 -- | Runs the server.
 explore :: ExploreOptions -> IO ExitStatus
