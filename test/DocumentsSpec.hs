@@ -296,7 +296,7 @@ quotations =
     ),
     ( "docs/options.md",
       "1 to 65536",
-      "src/BlackHole/Scene/Field/Table.hs",
+      "src/BlackHole/Scene/Field/CameraTable.hs",
       "maximumPictureSide = 65536"
     ),
     ( "docs/sky.md",
