@@ -4,6 +4,7 @@ module DocumentsSpec (spec) where
 
 import BlackHole.Cli.ExitStatus (exitCode)
 import BlackHole.Cli.Help
+import BlackHole.Cli.Topics
 import BlackHole.Cli.Options (Parsed (..), commandHelps, formerOptions, parseArguments)
 import BlackHole.Cli.SceneOptions (sceneOptions)
 import BlackHole.Scene.Field.Field

@@ -6,7 +6,7 @@ module BlackHole.Cli.AnimationHelp
   )
 where
 
-import BlackHole.Animation.AnimationFile
+import BlackHole.Animation.AnimationKeys
 import Data.List (intercalate)
 
 -- | A part of a longer text.

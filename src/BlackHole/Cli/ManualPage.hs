@@ -3,6 +3,7 @@ module BlackHole.Cli.ManualPage (manualPage) where
 
 import BlackHole.Cli.AnimationHelp
 import BlackHole.Cli.Help
+import BlackHole.Cli.Topics
 import BlackHole.Scene.Field.Field
 import BlackHole.Scene.Field.Table (sceneFields)
 import BlackHole.Scene.Preset (Preset (..), describedPresets)

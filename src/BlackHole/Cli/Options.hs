@@ -13,6 +13,7 @@ where
 import BlackHole.Cli.Animate.Options (AnimateOptions, animateOptions)
 import BlackHole.Cli.Explore.Options (ExploreOptions, exploreOptions)
 import BlackHole.Cli.Help
+import BlackHole.Cli.Topics
 import BlackHole.Cli.Join (JoinOptions, joinOptions)
 import BlackHole.Cli.ManualPage (manualPage)
 import BlackHole.Cli.Photon.Options (PhotonOptions, photonOptions)

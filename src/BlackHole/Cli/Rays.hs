@@ -17,6 +17,7 @@ import BlackHole.Cli.Json (showDouble)
 import BlackHole.Cli.Read
 import BlackHole.Figure.Raster (rasterise)
 import BlackHole.Figure.RayFan
+import BlackHole.Figure.RayFanFigure
 import BlackHole.Figure.Svg (renderSvg)
 import BlackHole.Image.AtomicFile
 import BlackHole.Image.Metadata (software)

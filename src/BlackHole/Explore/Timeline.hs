@@ -10,6 +10,7 @@ where
 
 import BlackHole.Animation.Animation
 import BlackHole.Animation.AnimationFile
+import BlackHole.Animation.AnimationKeys
 import BlackHole.Animation.Interpolate
 import BlackHole.Scene.Field.Field
 import BlackHole.Scene.Field.Kind

@@ -2,6 +2,7 @@ module BlackHole.Animation.AnimationFileSpec (spec) where
 
 import BlackHole.Animation.Animation
 import BlackHole.Animation.AnimationFile
+import BlackHole.Animation.AnimationKeys
 import BlackHole.Animation.CameraPath
 import BlackHole.Animation.Interpolate
 import BlackHole.Numeric.Angle

@@ -1,7 +1,8 @@
 module BlackHole.Cli.HelpSpec (spec) where
 
-import qualified BlackHole.Animation.AnimationFile as AnimationFile
+import qualified BlackHole.Animation.AnimationKeys as AnimationKeys
 import BlackHole.Cli.Help
+import BlackHole.Cli.Topics
 import BlackHole.Cli.Options
 import BlackHole.Scene.Field.Field
 import BlackHole.Scene.Field.Table (sceneFields)
@@ -49,9 +50,9 @@ spec = do
       mapM_
         (\name -> text ["help", "animation"] `shouldSatisfy` isInfixOf ("  " ++ name))
         ( map
-            AnimationFile.keyName
-            ( AnimationFile.animationKeys ++ AnimationFile.cameraPathKeys
-                ++ AnimationFile.keyframeKeys
+            AnimationKeys.keyName
+            ( AnimationKeys.animationKeys ++ AnimationKeys.cameraPathKeys
+                ++ AnimationKeys.keyframeKeys
             )
             ++ ["camera-path", "keyframes"]
         )

@@ -2,6 +2,7 @@ module BlackHole.Figure.RayFanSpec (spec) where
 
 import BlackHole.Figure.Figure
 import BlackHole.Figure.RayFan
+import BlackHole.Figure.RayFanFigure
 import BlackHole.Figure.StrokeFont (glyph)
 import BlackHole.Numeric.Angle (Radians (..))
 import BlackHole.Spacetime.Kerr.EquatorialRay

@@ -2,6 +2,7 @@ module BlackHole.Figure.SvgSpec (spec) where
 
 import BlackHole.Figure.Figure
 import BlackHole.Figure.RayFan
+import BlackHole.Figure.RayFanFigure
 import BlackHole.Figure.Svg
 import BlackHole.Vector.XY (XY (..))
 import qualified Data.ByteString.Lazy as Lazy
