@@ -131,6 +131,8 @@ data Walk = Walk
 -- With 'ReportSteps' the error stops falling at about 1e-5 radians whatever the base
 -- length, because that rule's steps beyond @r = 40@ always have the length 10. Takes at
 -- most twenty million steps of about 0.2 µs each.
+--
+-- The function is long because everything in the report comes from the one loop.
 leapfrogReport :: StepRule -> Double -> Trajectory -> PathReport
 leapfrogReport rule farthest trajectory = case trajectoryEntry radius trajectory of
   Nothing -> ended StepLimit Nothing (Walk 0 (Photon XYZ.zero XYZ.zero) 0 0 0 Nothing [] [])

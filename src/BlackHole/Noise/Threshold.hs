@@ -27,6 +27,8 @@ import GHC.Float (double2Float, float2Double)
 -- | @perlin3Above seed profile least place@ is 'perlin3', to the last bit, where it is
 -- at least @least@, and 'Nothing' elsewhere. Bind the result of the first two arguments
 -- to compute only once what depends on them alone.
+--
+-- The function is long because its loops share the tables that are made once.
 perlin3Above :: Seed -> Profile -> Double -> XYZ -> Maybe Double
 perlin3Above seed p
   | count > 0 && all (\l -> levelNumber l >= 1 && levelNumber l <= 50) named = above

@@ -1,3 +1,4 @@
+{-# LANGUAGE LambdaCase #-}
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | @blackhole explore@: a live view in the browser.
@@ -30,7 +31,7 @@ import BlackHole.Scene.Scene
 import Control.Concurrent.Async (cancel, race)
 import Control.Concurrent.STM
 import Control.Exception (IOException, finally, try)
-import Control.Monad (void, when)
+import Control.Monad (unless, void, when)
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Char8 as Char8
 import qualified Data.ByteString.Lazy as Lazy
@@ -86,23 +87,12 @@ explore options = case serve of
           announce port = do
             let address = pageAddress (access port)
             _ <- printText ("Open " ++ address ++ " in a browser. Ctrl-C ends the program.\n")
-            open <- browser
-            case open of
-              _ | exploreNoOpen options -> pure ()
-              Just program -> start program address
-              Nothing ->
-                say
-                  ( "no browser here; from another machine, run ssh -L " ++ show port
-                      ++ ":127.0.0.1:"
-                      ++ show port
-                      ++ " with this one's name and open the address there (without a browser: \
-                         \blackhole render --preview)"
-                  )
+            unless (exploreNoOpen options) (openPage port address)
       -- A picture that is being rendered leaves nothing behind.
       ended <-
         race
           (server (explorePort options) (\port -> service (access port) state table) announce)
-          (deserted state)
+          (if exploreKeep options then atomically retry else deserted state)
           `finally` (readTVarIO (stateWorker state) >>= mapM_ cancel)
       case ended of
         Left (Left reason) ->
@@ -113,31 +103,39 @@ explore options = case serve of
                 ++ reason
             )
         _ -> pure Done
-    -- Returns half a minute after the last page was closed.
-    deserted state
-      | exploreKeep options = atomically retry
-      | otherwise = do
-        atomically (busy state >>= check)
-        atomically (busy state >>= check . not)
-        late <- registerDelay 30000000
-        again <-
-          atomically
-            ((True <$ (busy state >>= check)) `orElse` (False <$ (readTVar late >>= check)))
-        when again (deserted state)
-    start program address = do
+
+-- | Returns half a minute after the last page was closed.
+deserted :: ServerState -> IO ()
+deserted state = do
+  atomically (busy state >>= check)
+  atomically (busy state >>= check . not)
+  late <- registerDelay 30000000
+  again <-
+    atomically ((True <$ (busy state >>= check)) `orElse` (False <$ (readTVar late >>= check)))
+  when again (deserted state)
+
+-- | Open a page in the user's browser, or say how to reach its port from another machine.
+openPage :: Int -> String -> IO ()
+openPage port address =
+  browser >>= \case
+    Nothing ->
+      say
+        ( "no browser here; from another machine, run ssh -L " ++ show port
+            ++ ":127.0.0.1:"
+            ++ show port
+            ++ " with this one's name and open the address there (without a browser: \
+               \blackhole render --preview)"
+        )
+    Just program -> do
       outcome <-
-        try
-          ( void
-              ( createProcess
-                  (proc program [address])
-                    { std_in = NoStream,
-                      std_out = NoStream,
-                      std_err = NoStream,
-                      close_fds = True,
-                      new_session = True
-                    }
-              )
-          )
+        try . void . createProcess $
+          (proc program [address])
+            { std_in = NoStream,
+              std_out = NoStream,
+              std_err = NoStream,
+              close_fds = True,
+              new_session = True
+            }
       either
         (\failure -> say ("cannot run " ++ program ++ ": " ++ show (failure :: IOException)))
         pure

@@ -51,6 +51,9 @@ followLeapfrog leapfrog spacetime region photon gather =
 -- While one path waits, the processor works on the others. As soon as one path ends,
 -- the others continue alone, which costs little because neighbouring paths end at about
 -- the same time.
+--
+-- The function is long because its loop keeps all of its state in registers, with each
+-- number of each path by name.
 followThree ::
   Leapfrog ->
   Spacetime ->
