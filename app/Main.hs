@@ -2,9 +2,11 @@
 module Main (main) where
 
 import BlackHole.Cli.Descriptors (openClosedDescriptors)
+import BlackHole.Cli.ExitStatus (ExitStatus (BadInput), exitCode)
 import BlackHole.Cli.FastExit (fastExit)
 import BlackHole.Cli.Run (run)
 import BlackHole.Cli.Signals (stoppable)
+import BlackHole.Image.Exhaustion (handleExhaustion)
 import System.Environment (getArgs)
 import System.IO
   ( BufferMode (LineBuffering),
@@ -18,6 +20,7 @@ import System.IO
 main :: IO ()
 main = do
   openClosedDescriptors
+  handleExhaustion (exitCode BadInput)
   -- Without a locale, the first letter outside ASCII in a message would end the
   -- program, and messages repeat arguments.
   encoding <- mkTextEncoding "UTF-8//ROUNDTRIP"

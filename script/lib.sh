@@ -23,8 +23,8 @@ packages_of() {
   sed -n "/^$1:/,/^[^ ]/p" "$root/debian/control" | sed -n -E 's/^ (ghc|libghc-[a-z0-9-]+)[ ,].*/\1/p' | tr '\n' ' '
 }
 program_packages=$(packages_of Build-Depends)
-# The live view's web server. It is left out until somebody asks for it: script/blackhole
-# explore does, and from then on this file exists.
+# The live view's web server is left out until script/blackhole explore asks for it by
+# making this file.
 explore_mark=$build/explore
 [ ! -e "$explore_mark" ] || program_packages="$program_packages $(packages_of Build-Depends-Arch)"
 test_packages='hspec-discover libghc-hspec-core-dev libghc-hspec-dev
@@ -125,7 +125,7 @@ state() (
   cd "$root" || exit
   [ ! -e "$explore_mark" ] || echo 'with the live view'
   find "$@" blackhole.cabal cabal.project stack.yaml -type f \
-    \( -name '*.hs' -o -name '*.bin' -o -name 'page.*' -o -name blackhole.cabal -o -name cabal.project -o -name stack.yaml \) \
+    \( -name '*.hs' -o -name '*.c' -o -name '*.bin' -o -name 'page.*' -o -name blackhole.cabal -o -name cabal.project -o -name stack.yaml \) \
     -exec cksum {} + 2>/dev/null | LC_ALL=C sort
 )
 
@@ -268,8 +268,8 @@ install_tool() {
   }
 }
 
-# forget_old_objects FOLDER: GHC before 9.4 goes by times, so that a module that
-# changed but is older than its object file would be left as it was. Start afresh
+# forget_old_objects FOLDER: GHC before 9.4 compares times, so it would not recompile a
+# module that changed but is older than its object file. Start from scratch
 # if such a file is among those that changed since the last try, or if the
 # machine or the compiler changed (their lines name no file).
 forget_old_objects() {
@@ -293,8 +293,8 @@ setup() (
   GHC_ENVIRONMENT=- LC_ALL=C.UTF-8 /usr/bin/runghc script/Setup.hs "$@"
 )
 
-# The ways to build take the flag dev or nothing, and Cabal's names of what to
-# build, or none for everything. They set $products, the folder in which Cabal puts each of them.
+# The ways to build take the flag dev or nothing, and Cabal's names of what to build, or
+# none for everything. They set $products, the folder of the built components.
 # Warnings are the same without optimisation, and the dev build is not for use.
 debian_build() {
   objects=.build/main
@@ -382,12 +382,12 @@ stack_build() {
 build_or_fail() {
   : >"$log"
   # The compiler knows nothing of the files that the assembler includes.
-  [ -z "$(find "$root/data/explore" -newer "$root/data/explore/page.c")" ] || touch "$root/data/explore/page.c"
+  [ -z "$(find "$root/data" -newer "$root/data/embedded.c")" ] || touch "$root/data/embedded.c"
   watched "${way}_build" "$@" && return 0
   # From the first error on, less the progress: warnings go before it.
   sed -n '/[Ee]rror:/,$p' "$log" | grep -v '^\[ *[0-9]* of ' >&2 || tail -n 40 "$log" >&2
   ! grep -q 'missing-home-modules' "$log" ||
-    say 'blackhole.cabal lacks a module: script/lint --fix writes it anew'
+    say 'blackhole.cabal lacks a module: script/lint --fix regenerates it'
   fail "the build failed; full log: $log"
 }
 
@@ -404,7 +404,7 @@ build_program() {
   fi
   build_or_fail '' "$@"
   say "built in $(($(date +%s) - started)) s"
-  # One step from the old program to the new: somebody may be starting it.
+  # In one step, because the old program may be starting at this moment.
   cp "$products/blackhole/blackhole" "$build/bin/new"
   rm -f "$build/bin/state"
   mv "$build/bin/new" "$build/bin/blackhole"
@@ -422,7 +422,7 @@ compile_script() {
   cd "$root" || exit
   # shellcheck disable=SC2086
   watched $compiler -O1 -threaded -isrc -ibackend/vector -outputdir "$build/$1" \
-    data/sky/sky.c "script/$1.hs" -o "$build/$1/run" || {
+    data/embedded.c src/BlackHole/Image/Exhaustion.c "script/$1.hs" -o "$build/$1/run" || {
     cat "$log" >&2
     fail "script/$1.hs cannot be compiled"
   }

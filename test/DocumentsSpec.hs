@@ -4,9 +4,10 @@ module DocumentsSpec (spec) where
 
 import BlackHole.Cli.ExitStatus (exitCode)
 import BlackHole.Cli.Help
-import BlackHole.Cli.Topics
 import BlackHole.Cli.Options (Parsed (..), commandHelps, formerOptions, parseArguments)
+import BlackHole.Cli.Run (run)
 import BlackHole.Cli.SceneOptions (sceneOptions)
+import BlackHole.Cli.Topics
 import BlackHole.Scene.Field.Field
 import BlackHole.Scene.Field.Kind (showValue)
 import BlackHole.Scene.Field.Table (sceneFields)
@@ -16,8 +17,9 @@ import Control.Applicative ((<|>))
 import Control.Monad (filterM, forM_, unless, when)
 import Data.Char (isAlpha, isSpace, isUpper)
 import Data.List (dropWhileEnd, isInfixOf, isPrefixOf, isSuffixOf, nub, sort, stripPrefix)
-import Data.Maybe (isJust, mapMaybe)
+import Data.Maybe (fromMaybe, isJust, mapMaybe)
 import GHC.IO.Encoding (setFileSystemEncoding, setLocaleEncoding, utf8)
+import Support.Program (outputOf, quietly, redirecting)
 import System.Directory
   ( copyFile,
     createDirectoryIfMissing,
@@ -25,11 +27,12 @@ import System.Directory
     doesPathExist,
     findExecutable,
     listDirectory,
+    withCurrentDirectory,
   )
 import System.Exit (ExitCode (..))
 import System.FilePath (takeDirectory, takeExtension, takeFileName, (</>))
+import System.IO (stderr, stdout)
 import System.IO.Temp (withSystemTempDirectory)
-import System.Process (CreateProcess (cwd), proc, readCreateProcessWithExitCode)
 import Test.Hspec
 import Text.Read (readMaybe)
 
@@ -410,7 +413,8 @@ commandLines = concatMap (mapMaybe command . repeated) . pieces False . joined .
     target (">" : file : _) = Just file
     target _ = Nothing
     isPlaceholder word =
-      any isUpper word && all (\c -> isUpper c || c `elem` ",/.[]…") word || "…" `isInfixOf` word
+      any isUpper word && all (\c -> isUpper c || c `elem` ",/.[]…") word
+        || "…" `isInfixOf` word
     -- What follows after two spaces, or after a mark, is said to people.
     aside line = case line of
       ' ' : ' ' : _ -> ""
@@ -425,33 +429,23 @@ replacing old new text
   | otherwise = []
 
 -- | Runs command lines, one after the other, in a copy of the folder that has what they
--- start from. The exit code for missing frames also counts as success.
+-- start from. The exit code for missing frames also counts as success. All run in this
+-- process, which decodes the stars once.
 allWork :: FilePath -> [Command] -> Expectation
-allWork files commands = unless (null commands) $ do
-  found <- findExecutable "blackhole"
-  ffmpeg <- isJust <$> findExecutable "ffmpeg"
-  case found of
-    Nothing -> pendingWith "blackhole is not on the PATH"
-    Just program -> withSystemTempDirectory "blackhole-spec" $ \folder -> do
-      copyFolder files folder
-      forM_ commands $ \(Command arguments output) -> do
-        mapM_
-          (createDirectoryIfMissing True . (folder </>) . takeDirectory)
-          (valuesOf ["-o", "--output"] arguments)
-        forM_ (valuesOf ["--sky"] arguments) $ \sky ->
-          when (takeExtension sky `elem` [".png", ".jpg", ".hdr", ".tif"]) $
-            panorama (folder </> sky)
-        small <-
-          concat
-            <$> mapM
-              (expanded folder)
-              (scaled (if ffmpeg then arguments else without "--video" arguments))
-        (code, said, complaint) <-
-          readCreateProcessWithExitCode (proc program small) {cwd = Just folder} ""
-        let allowed = ExitSuccess : [ExitFailure 5 | "--status" `elem` arguments]
-        when (code `notElem` allowed) . expectationFailure $
-          unwords ("blackhole" : small) ++ "\nended with " ++ show code ++ ":\n" ++ complaint
-        forM_ output $ \file -> writeFile (folder </> file) said
+allWork files commands = unless (null commands)
+  . withSystemTempDirectory "blackhole-spec"
+  $ \folder -> do
+    ffmpeg <- isJust <$> findExecutable "ffmpeg"
+    copyFolder files folder
+    withCurrentDirectory folder . forM_ commands $ \(Command arguments output) -> do
+      mapM_ (createDirectoryIfMissing True . takeDirectory) (valuesOf ["-o", "--output"] arguments)
+      forM_ (valuesOf ["--sky"] arguments) $ \sky ->
+        when (takeExtension sky `elem` [".png", ".jpg", ".hdr", ".tif"]) $ panorama sky
+      small <- concat <$> mapM expanded (scaled (if ffmpeg then arguments else without "--video" arguments))
+      (code, complaint) <- outputOf stderr "said" (redirecting stdout (fromMaybe "printed" output) (run small))
+      let allowed = ExitSuccess : [ExitFailure 5 | "--status" `elem` arguments]
+      when (code `notElem` allowed) . expectationFailure $
+        unwords ("blackhole" : small) ++ "\nended with " ++ show code ++ ":\n" ++ complaint
 
 valuesOf :: [String] -> [String] -> [String]
 valuesOf names arguments =
@@ -481,11 +475,9 @@ scaled arguments = case arguments of
     adaptive = any (`elem` arguments) ["--noise", "--most-samples"]
 
 -- | The files that a pattern names.
-expanded :: FilePath -> String -> IO [String]
-expanded folder argument = case break (== '*') argument of
-  (start, _ : end) ->
-    sort . filter (\name -> start `isPrefixOf` name && end `isSuffixOf` name)
-      <$> listDirectory folder
+expanded :: String -> IO [String]
+expanded argument = case break (== '*') argument of
+  (start, _ : end) -> sort . filter (\name -> start `isPrefixOf` name && end `isSuffixOf` name) <$> listDirectory "."
   _ -> pure [argument]
 
 -- | A folder with the files that the documents' readers have.
@@ -508,33 +500,16 @@ prepare folder = do
   scenes <- listDirectory "scenes"
   forM_ scenes $ \name -> copyFile ("scenes" </> name) (folder </> "scenes" </> name)
   createDirectoryIfMissing True (folder </> "frames")
-  forM_
-    [ ("mine.yaml", "image: {width: 16}\n"),
-      ("big.yaml", "preset: report\n"),
-      ("film.yaml", "animation: {frames: 2, camera-path: {kind: orbit}}\n")
-    ]
-    $ \(name, text) ->
-      writeFile (folder </> name) text
-  found <- findExecutable "blackhole"
-  forM_ found $ \program -> do
-    forM_ ["big-1.tile"] $ \name ->
-      readCreateProcessWithExitCode
-        (proc program ["render", "--width", "16", "--samples", "1", "--tile", "1/1", "-o", name])
-          { cwd = Just folder
-          }
-        ""
-    forM_ ["picture.exr", "hole.png"] $ \name ->
-      readCreateProcessWithExitCode
-        (proc program ["render", "--width", "16", "--samples", "1", "-o", name]) {cwd = Just folder}
-        ""
-    readCreateProcessWithExitCode
-      ( proc
-          program
-          ["animate", "film.yaml", "--width", "16", "--samples", "1", "-o", "frames/%05d.png"]
-      )
-        { cwd = Just folder
-        }
-      ""
+  forM_ [("mine.yaml", "image: {width: 16}\n"), ("big.yaml", "preset: report\n"), ("film.yaml", "animation: {frames: 2, camera-path: {kind: orbit}}\n")] $ \(name, text) ->
+    writeFile (folder </> name) text
+  withCurrentDirectory folder $
+    mapM_
+      (\arguments -> quietly arguments `shouldReturn` ExitSuccess)
+      [ ["render", "--width", "16", "--samples", "1", "--tile", "1/1", "-o", "big-1.tile"],
+        ["render", "--width", "16", "--samples", "1", "-o", "picture.exr"],
+        ["render", "--width", "16", "--samples", "1", "-o", "hole.png"],
+        ["animate", "film.yaml", "--width", "16", "--samples", "1", "-o", "frames/%05d.png"]
+      ]
 
 -- | A sky twice as wide as high.
 panorama :: FilePath -> IO ()

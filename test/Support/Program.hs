@@ -1,5 +1,5 @@
 -- | The program, run inside the tests' process.
-module Support.Program (quietly, outputOf) where
+module Support.Program (quietly, outputOf, redirecting) where
 
 import BlackHole.Cli.Run (run)
 import Control.Exception (bracket_)
@@ -21,16 +21,18 @@ quietly arguments =
 -- file.
 outputOf :: Handle -> FilePath -> IO a -> IO (a, String)
 outputOf handle file action = do
-  hFlush handle
-  kept <- hDuplicate handle
-  result <- withFile file WriteMode $ \sink -> do
-    hSetEncoding sink utf8
-    bracket_
-      (hDuplicateTo sink handle >> hSetEncoding handle utf8)
-      (hFlush handle >> hDuplicateTo kept handle)
-      action
+  result <- redirecting handle file action
   text <- withFile file ReadMode $ \source -> do
     hSetEncoding source utf8
     written <- hGetContents source
     written <$ mapM_ (`seq` pure ()) written
   pure (result, text)
+
+-- | Run an action while a handle writes to a file.
+redirecting :: Handle -> FilePath -> IO a -> IO a
+redirecting handle file action = do
+  hFlush handle
+  kept <- hDuplicate handle
+  withFile file WriteMode $ \sink -> do
+    hSetEncoding sink utf8
+    bracket_ (hDuplicateTo sink handle >> hSetEncoding handle utf8) (hFlush handle >> hDuplicateTo kept handle) action

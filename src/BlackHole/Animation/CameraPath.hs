@@ -1,5 +1,5 @@
--- | Camera movements that are more than keys: around the hole, along a line, and
--- on the world lines of observers whom nothing holds.
+-- | Camera movements that keyframes cannot express: around the hole, along a line, and
+-- on the world lines of observers in free fall.
 module BlackHole.Animation.CameraPath
   ( CameraPath (..),
     cameraPathName,

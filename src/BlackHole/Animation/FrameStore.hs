@@ -31,6 +31,8 @@ import BlackHole.Animation.FrameName
 import BlackHole.Animation.Lease
 import BlackHole.Image.AtomicFile (renderWriteProblem, writeFileAtomically)
 import BlackHole.Image.Digest
+import BlackHole.Image.Exhaustion (removeIfExhausted)
+import BlackHole.Image.PartFile (placePartFile, removePartFile)
 import Control.Exception (IOException, catch, finally, onException)
 import Control.Monad (unless, when)
 import qualified Data.ByteString as Bytes
@@ -46,7 +48,6 @@ import System.Directory
     listDirectory,
     pathIsSymbolicLink,
     removeFile,
-    renameFile,
   )
 import System.FilePath (takeDirectory, takeFileName, (</>))
 import System.IO (IOMode (WriteMode), withBinaryFile)
@@ -155,8 +156,8 @@ removeLeftOver store frame holder =
 -- that the process which takes over its lease can determine.
 inOneStep :: FrameStore -> String -> FilePath -> Lazy.ByteString -> IO ()
 inOneStep store name target bytes =
-  (withBinaryFile part WriteMode (`Lazy.hPut` bytes) >> renameFile part target)
-    `onException` quietly () (removeFile part)
+  (removeIfExhausted part >> withBinaryFile part WriteMode (`Lazy.hPut` bytes) >> placePartFile part target)
+    `onException` removePartFile part
   where
     part = partPath store name (leaseFolderHolder (frameStoreLeases store))
 

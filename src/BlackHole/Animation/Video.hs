@@ -32,7 +32,7 @@ import Data.Functor (($>))
 import Data.List (intercalate)
 import Data.Maybe (fromMaybe, isJust, listToMaybe)
 import Numeric (showFFloat)
-import System.Directory (findExecutable, removeFile, renameFile)
+import System.Directory (findExecutable)
 import System.Exit (ExitCode (..))
 import System.FilePath (takeDirectory, takeExtension)
 import System.IO (Handle, hClose, hSetBinaryMode)
@@ -212,9 +212,9 @@ startVideo coder coding rate target = mask_ $ do
           pure (Right (Video target part process input frames feeder said))
         Right (_, _, _, process) -> do
           terminateProcess process
-          removeQuietly part
+          removePartFile part
           pure (Left "its pipes could not be made")
-        Left reason -> removeQuietly part $> Left reason
+        Left reason -> removePartFile part $> Left reason
   where
     feeding input frames = do
       next <- readChan frames
@@ -242,14 +242,14 @@ finishVideo video = do
   said <- wait (videoComplaints video)
   case (code, fault) of
     (ExitSuccess, Nothing) -> do
-      moved <- reasonOf (renameFile (videoPart video) (videoTarget video))
+      moved <- reasonOf (placePartFile (videoPart video) (videoTarget video))
       either (failed . ("cannot write " ++) . ((videoTarget video ++ ": ") ++)) (pure . Right) moved
     (ExitFailure n, _)
       | n < 0 -> failed ("ffmpeg was killed by signal " ++ show (negate n) ++ remark said)
       | otherwise -> failed ("ffmpeg ended with code " ++ show n ++ remark said)
     (_, Just reason) -> failed ("ffmpeg did not take all frames: " ++ reason ++ remark said)
   where
-    failed reason = removeQuietly (videoPart video) $> Left reason
+    failed reason = removePartFile (videoPart video) $> Left reason
     remark said = if null said then "" else " (" ++ take 400 said ++ ")"
 
 -- | Stops ffmpeg and removes its unfinished file.
@@ -259,16 +259,13 @@ abandonVideo video = mask_ $ do
   terminateProcess (videoProcess video)
   quietly (hClose (videoInput video))
   _ <- waitForProcess (videoProcess video)
-  removeQuietly (videoPart video)
+  removePartFile (videoPart video)
 
 reasonOf :: IO a -> IO (Either String a)
 reasonOf action = either (Left . reason) Right <$> try action
   where
     reason :: IOException -> String
     reason = show
-
-removeQuietly :: FilePath -> IO ()
-removeQuietly = quietly . removeFile
 
 quietly :: IO () -> IO ()
 quietly action = action `catch` refused

@@ -2,8 +2,8 @@
 -- if that fails.
 --
 -- Whatever is printed on standard output is a result, so that its loss is an error.
--- Messages and progress on standard error are not: they are dropped if nobody can
--- read them, and never keep the work from being done.
+-- Messages and progress on standard error are not: they are dropped if they cannot be
+-- written, and never prevent the work.
 module BlackHole.Cli.Console
   ( printText,
     printWith,

@@ -1,4 +1,5 @@
--- | Whether a picture fits into the memory there is, asked before any work.
+-- | Estimates of the memory that a picture takes, compared with the available memory
+-- before any work.
 module BlackHole.Cli.Memory
   ( Making (..),
     Product (..),
@@ -19,7 +20,7 @@ import Data.Maybe (catMaybes, listToMaybe, mapMaybe)
 import System.Posix.Resource
 import Text.Read (readMaybe)
 
--- | What is made of a picture's light, which decides what is in memory at once.
+-- | The product of a picture's light, which determines what is in memory at one time.
 data Product
   = -- | A file that is written while its rows are coded.
     WholePicture !Format

@@ -2,7 +2,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | The files of @data\/explore@, the page of @blackhole explore@, which become part of
--- the program when it is compiled (@data\/explore\/page.c@), like those of the sky
+-- the program when it is compiled (@data\/embedded.c@), like those of the sky
 -- ("BlackHole.Trace.SkyFiles").
 module BlackHole.Explore.PageFiles
   ( pageFiles,

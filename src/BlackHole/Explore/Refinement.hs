@@ -1,6 +1,6 @@
 -- | Progressive refinement of the picture in a page's view.
 --
--- Only the newest scene counts. It appears at once with few pixels; without further input
+-- Only the newest scene counts. It appears immediately with few pixels; without further input
 -- the picture is refined, and new input stops that in the middle of a row. A page that
 -- does not acknowledge its frames gets no more of them, so that none pile up.
 module BlackHole.Explore.Refinement
@@ -69,7 +69,7 @@ data Memory = Memory
     memoryPace :: !Pace
   }
 
--- | Shows what is wanted and refines it, for ever.
+-- | Shows the wanted scene and refines it, without end.
 showRefined :: View -> IO ()
 showRefined view = go (Memory Nothing Nothing Nothing initialPace) (-1)
   where

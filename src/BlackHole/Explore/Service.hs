@@ -1,5 +1,5 @@
--- | What a web server has to do for @blackhole explore@, free of any web library.
--- "BlackHole.Explore.Server" does it, if the program is built with one.
+-- | The interface between @blackhole explore@ and its web server, free of any web library.
+-- "BlackHole.Explore.Server" implements the server in builds that have one.
 module BlackHole.Explore.Service
   ( Asked (..),
     Answer (..),

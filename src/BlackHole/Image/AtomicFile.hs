@@ -33,8 +33,6 @@ import System.Directory
     getPermissions,
     getSymbolicLinkTarget,
     pathIsSymbolicLink,
-    removeFile,
-    renameFile,
     writable,
   )
 import System.FilePath (takeDirectory, (</>))
@@ -116,7 +114,7 @@ writeAtomically path content = locate path >>= either (pure . Left) write
           ignoringRefusal $ copyPermissions target temporary
           restore (content handle)
           hClose handle
-          renameFile temporary target
+          placePartFile temporary target
 
 -- | Checks whether 'writeFileAtomically' can write this file, as far as that can be
 -- known in advance (a disk may fill up later). Leaves no file behind and does not touch
@@ -213,7 +211,7 @@ openTemporary path target = do
 
 discard :: FilePath -> Handle -> IO ()
 discard temporary handle =
-  ignoringRefusal (hClose handle) >> ignoringRefusal (removeFile temporary)
+  ignoringRefusal (hClose handle) >> removePartFile temporary
 
 ignoringRefusal :: IO () -> IO ()
 ignoringRefusal action = action `catch` ignored

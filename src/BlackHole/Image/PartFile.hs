@@ -2,12 +2,15 @@
 -- run can remove those of a killed process.
 module BlackHole.Image.PartFile
   ( openPartFile,
+    placePartFile,
+    removePartFile,
     sweepPartFiles,
     machine,
   )
 where
 
-import Control.Exception (IOException, try)
+import BlackHole.Image.Exhaustion (keepIfExhausted, removeIfExhausted)
+import Control.Exception (IOException, mask_, try)
 import Control.Monad (unless)
 import qualified Crypto.Hash.SHA256 as SHA256
 import qualified Data.ByteString as Bytes
@@ -16,7 +19,7 @@ import Data.Char (isAlphaNum, isAscii, isDigit)
 import Data.Foldable (for_)
 import Data.List (stripPrefix)
 import Numeric (showHex)
-import System.Directory (listDirectory, removeFile)
+import System.Directory (listDirectory, removeFile, renameFile)
 import System.FilePath ((</>))
 import System.IO (Handle, openBinaryTempFileWithDefaultPermissions)
 import System.IO.Error (isDoesNotExistError)
@@ -28,12 +31,24 @@ import Text.Read (readMaybe)
 
 -- | @openPartFile folder extension@ creates a new file in a folder and opens it for
 -- writing. Its name is short and independent of the finished file's name, which may be
--- as long as the file system allows. Throws the exceptions of the file system.
+-- as long as the file system allows. It is removed if memory runs out. Throws the
+-- exceptions of the file system.
 openPartFile :: FilePath -> String -> IO (FilePath, Handle)
-openPartFile folder extension = do
+openPartFile folder extension = mask_ $ do
   prefix <- partPrefix
   process <- getProcessID
-  openBinaryTempFileWithDefaultPermissions folder (prefix ++ show process ++ "-" ++ extension)
+  opened <-
+    openBinaryTempFileWithDefaultPermissions folder (prefix ++ show process ++ "-" ++ extension)
+  opened <$ removeIfExhausted (fst opened)
+
+-- | @placePartFile part target@ gives a complete file its name. Throws the exceptions of
+-- the file system.
+placePartFile :: FilePath -> FilePath -> IO ()
+placePartFile part target = renameFile part target >> keepIfExhausted part
+
+-- | Removes an unfinished file, if the file system permits.
+removePartFile :: FilePath -> IO ()
+removePartFile part = quietly () (removeFile part) >> keepIfExhausted part
 
 -- | Removes the files that dead processes of this machine have left in a folder. Skips
 -- files that cannot be listed or removed.

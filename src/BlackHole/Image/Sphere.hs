@@ -1,5 +1,5 @@
--- | What viewers of panoramas want to know of an equirectangular picture: which part
--- of the sphere it shows.
+-- | Metadata of equirectangular pictures for panorama viewers: the part of the sphere
+-- that a picture shows.
 --
 -- The terms are those of Google's "Photo Sphere XMP Metadata", which VR viewers,
 -- photo libraries and players read.

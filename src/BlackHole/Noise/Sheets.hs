@@ -33,7 +33,7 @@ import BlackHole.Noise.Gradient (gradientNumber2, interpolateGradients2)
 import BlackHole.Noise.Lattice (clampedLevel, latticePoint2)
 import BlackHole.Noise.PerlinG (Seed, latticeHash2)
 import BlackHole.Numeric.Floor
-import Data.Bits (unsafeShiftL, (.&.))
+import Data.Bits (bit, unsafeShiftL, unsafeShiftR, (.&.))
 import Data.Primitive.PrimArray
 import Data.Word (Word8)
 
@@ -53,7 +53,7 @@ sheets seed count gain =
   Sheets
     { sheetsReals =
         primArrayFromList (concat [[a / total, cos t, sin t] | (a, t) <- zip amplitudes tilts]),
-      sheetsGradients = primArrayFromList (concatMap octave [0 .. octaveCount - 1])
+      sheetsGradients = mconcat (map octave [0 .. octaveCount - 1])
     }
   where
     octaveCount = max 0 (min 8 count)
@@ -61,12 +61,11 @@ sheets seed count gain =
     total = max 1e-300 (sum (map abs amplitudes))
     -- Multiples of the golden angle, so that no two directions come close.
     tilts = iterate (+ 2.399963229728653) 0.7
-    octave i =
-      [ fromIntegral
-          (gradientNumber2 (latticeHash2 seed (latticePoint2 (clampedLevel (rowBits + i)) x y)))
-        | y <- [0 .. 2 ^ (rowBits + i) - 1],
-          x <- [0 .. 2 ^ (columnBits + i) - 1]
-      ]
+    octave i = generatePrimArray (bit (rowBits + columnBits + 2 * i)) $ \k ->
+      let x = fromIntegral (k .&. (bit (columnBits + i) - 1))
+          y = fromIntegral (k `unsafeShiftR` (columnBits + i))
+           point = latticePoint2 (clampedLevel (rowBits + i)) x y
+        in fromIntegral (gradientNumber2 (latticeHash2 seed point))
 
 -- | Cells of the coarsest octave: 2^3 around, and 2^5 along the second coordinate.
 columnBits, rowBits :: Int

@@ -42,9 +42,9 @@ bloomFilm workers strength film = do
   where
     shape = pixelArrayShape film
 
--- | The same for a film of this shape by bands: those of the film with bloom, for
--- which each row is asked for once now, and once more when it is wanted. Keeps a
--- quarter of the film's size in memory, and half of it for a moment.
+-- | 'bloomFilm' for a film of this shape in bands. It reads each row twice: once now, and
+-- again when a band with bloom is read. Keeps a quarter of the film's size in memory, and
+-- half of it for a moment.
 bloomBands :: Workers -> Double -> PixelShape -> FilmBands -> IO (Maybe FilmBands)
 bloomBands workers strength shape rowsOf
   | strength > 0 = finestEnergy workers shape rowsOf >>= traverse spread

@@ -37,8 +37,8 @@ opticsFilm workers scene film = do
   where
     shape = pixelArrayShape film
 
--- | The same for a film of this shape by bands. Each effect asks for each row once now,
--- and once more when it is wanted, and keeps a quarter of the film in memory.
+-- | 'opticsFilm' for a film of this shape in bands. Each effect reads each row once now
+-- and again when a finished band is read, and keeps a quarter of the film in memory.
 opticsBands :: Workers -> Scene -> PixelShape -> FilmBands -> IO (Maybe FilmBands)
 opticsBands workers scene shape =
   through

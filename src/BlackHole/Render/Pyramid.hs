@@ -31,8 +31,8 @@ import qualified Data.Vector.Storable as Vector
 import Data.Vector.Storable.Mutable (MVector)
 import qualified Data.Vector.Storable.Mutable as MVector
 
--- | Bands of a film that need not be in memory as a whole: of some rows, from
--- which and how many, the light. 'Nothing' for rows that are not to be had.
+-- | Bands of a film, which need not be in memory as a whole: from the first row and the
+-- number of rows to their light. 'Nothing' if the rows cannot be read.
 type FilmBands = (Int, Int) -> IO (Maybe Film)
 
 -- | The film's light on the first level, of half its size, summed and not averaged, from

@@ -11,11 +11,12 @@ module BlackHole.Render.Workers
   )
 where
 
-import Control.Concurrent (getNumCapabilities, rtsSupportsBoundThreads, setNumCapabilities)
-import Control.Concurrent.Async (Async, asyncOn, uninterruptibleCancel, waitAny)
-import Control.Exception (bracket, mask, onException)
-import Control.Monad (when)
-import Data.List (delete)
+import Control.Concurrent (forkOn, getNumCapabilities, killThread, rtsSupportsBoundThreads, setNumCapabilities)
+import Control.Concurrent.MVar (newEmptyMVar, putMVar, takeMVar, tryPutMVar)
+import Control.Exception (SomeException, bracket, mask, onException, throwIO, try, uninterruptibleMask_)
+import Control.Monad (forM, void, when)
+import Data.Either (isLeft)
+import Data.IORef (atomicModifyIORef', newIORef)
 import GHC.Conc (getNumProcessors)
 
 -- | A number of worker threads, from 1 to 'maximumWorkers'.
@@ -73,13 +74,24 @@ withWorkers (Workers wanted) action
 -- Each worker starts on a processor of its own. Left to the run-time system, the second
 -- one waits on the first one's processor until that has time to hand it over, which can
 -- take ten milliseconds.
+--
+-- The workers report through 'MVar's. Waiting for them with STM would have the caller
+-- spin while a worker that the system has stopped holds a transactional variable.
 onWorkers :: Workers -> Int -> IO () -> IO ()
-onWorkers (Workers wanted) most act = mask $ \restore -> do
-  running <- mapM (`asyncOn` restore act) [0 .. min wanted most - 1]
-  restore (waitAll running) `onException` mapM_ uninterruptibleCancel running
+onWorkers (Workers wanted) most act = when (count > 0) $
+  mask $ \restore -> do
+    running <- newIORef count
+    outcome <- newEmptyMVar
+    workers <- forM [0 .. count - 1] $ \processor -> do
+      ended <- newEmptyMVar
+      thread <- forkOn processor $ do
+        result <- try (restore act)
+        left <- atomicModifyIORef' running (\n -> (n - 1, n - 1))
+        when (isLeft result || left == 0) $ void (tryPutMVar outcome result)
+        putMVar ended ()
+      pure (thread, ended)
+    let stop = uninterruptibleMask_ (mapM_ (killThread . fst) workers >> mapM_ (takeMVar . snd) workers)
+    result <- restore (takeMVar outcome) `onException` stop
+    either (\failure -> stop >> throwIO (failure :: SomeException)) pure result
   where
-    waitAll :: [Async ()] -> IO ()
-    waitAll [] = pure ()
-    waitAll running = do
-      (done, ()) <- waitAny running
-      waitAll (delete done running)
+    count = min wanted most

@@ -4,7 +4,7 @@
 -- an installed program is one file and works wherever it is moved.
 --
 -- @data\/sky\/README.md@ describes their formats and names their sources. The assembler
--- includes them (@data\/sky\/sky.c@). Template Haskell could do so as well, but with it
+-- includes them (@data\/embedded.c@). Template Haskell could do so as well, but with it
 -- GHC compiles every module of the package twice.
 module BlackHole.Trace.SkyFiles
   ( starBytes,

@@ -30,24 +30,16 @@ spec :: Spec
 spec = do
   modifyMaxSuccess (const 40)
     . prop "shows the light of a direction whatever the projection, for every observer"
-    $ forAll ((,,) <$> elements [minBound .. maxBound] <*> inRange 10 118 <*> inRange 10 62) $
+    $ forAll ((,,) <$> elements (map fst projected) <*> inRange 10 118 <*> inRange 10 62) $
       \(observer, x, y) ->
-        let at projection fov =
-              (lit {sceneObserver = observer})
-                { sceneProjection = projection,
-                  sceneCamera = (sceneCamera lit) {cameraFieldOfView = Degrees fov}
-                }
-            flat = at Perspective 90
-            found =
-              tracer flat >>= \traced ->
-                (,) (sightRadiance traced (XY x y)) <$> tracedDirection traced (XY x y)
-         in case found of
-              Nothing -> property False
-              Just (light, direction) ->
-                conjoin
-                  [ sameLight light (lightTowards scene direction)
-                    | scene <- [at Fisheye 180, at Equirectangular 360]
-                  ]
+        case lookup observer projected of
+          Just (Just (flat : others))
+            | Just direction <- tracedDirection flat (XY x y) ->
+              conjoin
+                [ sameLight (sightRadiance flat (XY x y)) (lightTowards other direction)
+                  | other <- others
+                ]
+          _ -> property False
   prop "continues from the right edge to the left, and over the poles" $
     forAll ((,) <$> inRange 0 64 <*> inRange (-0.5) 0.5) $ \(y, across) ->
       case tracer sphere of
@@ -165,6 +157,20 @@ spec = do
     validateScene sphere `shouldBe` []
     validateScene fisheye `shouldBe` []
   where
+    -- For each observer the scene in every projection, prepared once.
+    projected =
+      [ (,) observer $
+          traverse
+            tracer
+            [ lit
+                { sceneObserver = observer,
+                  sceneProjection = projection,
+                  sceneCamera = (sceneCamera lit) {cameraFieldOfView = Degrees fov}
+                }
+              | (projection, fov) <- [(Perspective, 90), (Fisheye, 180), (Equirectangular, 360)]
+            ]
+        | observer <- [minBound .. maxBound]
+      ]
     problemName (Problem name _ _) = name
     problemName (Mistake name _) = name
     outside c r =
@@ -176,9 +182,8 @@ spec = do
 
 -- | The radiance that arrives from a direction, by the point of the picture where it
 -- is seen.
-lightTowards :: Scene -> XYZ -> Radiance
-lightTowards scene direction = fromMaybe black $ do
-  traced <- tracer scene
+lightTowards :: Tracer -> XYZ -> Radiance
+lightTowards traced direction = fromMaybe black $ do
   Frame forward right up <- cameraFrame (sceneCamera scene)
   let Picture width height = scenePicture scene
       Degrees fov = cameraFieldOfView (sceneCamera scene)
@@ -190,11 +195,11 @@ lightTowards scene direction = fromMaybe black $ do
         Fisheye ->
           let rho = sqrt (x * x + y * y); theta = atan2 rho f in (theta * x / rho, theta * y / rho)
         _ -> (atan2 x f, asin y)
-  pure
-    ( sightRadiance
-        traced
-        (XY (0.5 * fromIntegral width + pixels * px) (0.5 * fromIntegral height - pixels * py))
-    )
+  let point =
+        XY (0.5 * fromIntegral width + pixels * px) (0.5 * fromIntegral height - pixels * py)
+  pure (sightRadiance traced point)
+  where
+    scene = tracerScene traced
 
 sameLight :: Radiance -> Radiance -> Property
 sameLight (Radiance r g b) (Radiance r' g' b') =
