@@ -9,9 +9,10 @@ import BlackHole.Spacetime.LightPath
 import BlackHole.Spacetime.Observer
 import BlackHole.Spacetime.Photon
 import BlackHole.Spacetime.Schwarzschild.Deflection
-import BlackHole.Spacetime.Schwarzschild.StepRule
+import BlackHole.Spacetime.Schwarzschild.Leapfrog
 import BlackHole.Spacetime.Schwarzschild.LeapfrogStep
 import BlackHole.Spacetime.Schwarzschild.Orbit (orbit, orbitFate, orbitSweep)
+import BlackHole.Spacetime.Schwarzschild.StepRule
 import BlackHole.Spacetime.Types (Spacetime (..))
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ

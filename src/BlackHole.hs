@@ -45,8 +45,8 @@ import BlackHole.Image.SkyFile (SkyFile (..), loadSky)
 import BlackHole.Image.Write (pictureBytes)
 import BlackHole.Light.Radiance (Radiance (..))
 import BlackHole.Render.Exposed (Exposed (..), allRows)
-import BlackHole.Render.Film (exposeFilm)
 import qualified BlackHole.Render.Exposed as Film
+import BlackHole.Render.Film (exposeFilm)
 import BlackHole.Render.PixelArray (pixelArrayShape)
 import BlackHole.Render.PixelShape (shapeHeight, shapeWidth)
 import BlackHole.Render.Workers (Workers, defaultWorkers, withWorkers)
@@ -54,11 +54,11 @@ import BlackHole.Scene.Field.Field (Field (..))
 import BlackHole.Scene.Field.Kind (readValue)
 import BlackHole.Scene.Field.Table (currentPath, findField, sceneFields)
 import qualified BlackHole.Scene.File.SceneFile as SceneFile
+import BlackHole.Scene.Idle
 import BlackHole.Scene.Preset (defaultScene, findPreset, presetNames)
 import BlackHole.Scene.Problem (suggestion)
 import BlackHole.Scene.Resolve (Request (..), resolveRequest)
 import BlackHole.Scene.Scene (Scene (..))
-import BlackHole.Scene.Idle
 import BlackHole.Scene.Setting (Setting (..), applySettings)
 import BlackHole.Scene.Validate (renderProblem, validateScene)
 import Data.Either (partitionEithers)

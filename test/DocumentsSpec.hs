@@ -441,8 +441,11 @@ allWork files commands = unless (null commands)
       mapM_ (createDirectoryIfMissing True . takeDirectory) (valuesOf ["-o", "--output"] arguments)
       forM_ (valuesOf ["--sky"] arguments) $ \sky ->
         when (takeExtension sky `elem` [".png", ".jpg", ".hdr", ".tif"]) $ panorama sky
-      small <- concat <$> mapM expanded (scaled (if ffmpeg then arguments else without "--video" arguments))
-      (code, complaint) <- outputOf stderr "said" (redirecting stdout (fromMaybe "printed" output) (run small))
+      small <-
+        concat
+          <$> mapM expanded (scaled (if ffmpeg then arguments else without "--video" arguments))
+      (code, complaint) <-
+        outputOf stderr "said" (redirecting stdout (fromMaybe "printed" output) (run small))
       let allowed = ExitSuccess : [ExitFailure 5 | "--status" `elem` arguments]
       when (code `notElem` allowed) . expectationFailure $
         unwords ("blackhole" : small) ++ "\nended with " ++ show code ++ ":\n" ++ complaint
@@ -477,7 +480,8 @@ scaled arguments = case arguments of
 -- | The files that a pattern names.
 expanded :: String -> IO [String]
 expanded argument = case break (== '*') argument of
-  (start, _ : end) -> sort . filter (\name -> start `isPrefixOf` name && end `isSuffixOf` name) <$> listDirectory "."
+  (start, _ : end) ->
+    sort . filter (\name -> start `isPrefixOf` name && end `isSuffixOf` name) <$> listDirectory "."
   _ -> pure [argument]
 
 -- | A folder with the files that the documents' readers have.
@@ -500,8 +504,13 @@ prepare folder = do
   scenes <- listDirectory "scenes"
   forM_ scenes $ \name -> copyFile ("scenes" </> name) (folder </> "scenes" </> name)
   createDirectoryIfMissing True (folder </> "frames")
-  forM_ [("mine.yaml", "image: {width: 16}\n"), ("big.yaml", "preset: report\n"), ("film.yaml", "animation: {frames: 2, camera-path: {kind: orbit}}\n")] $ \(name, text) ->
-    writeFile (folder </> name) text
+  forM_
+    [ ("mine.yaml", "image: {width: 16}\n"),
+      ("big.yaml", "preset: report\n"),
+      ("film.yaml", "animation: {frames: 2, camera-path: {kind: orbit}}\n")
+    ]
+    $ \(name, text) ->
+      writeFile (folder </> name) text
   withCurrentDirectory folder $
     mapM_
       (\arguments -> quietly arguments `shouldReturn` ExitSuccess)

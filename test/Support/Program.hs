@@ -35,4 +35,7 @@ redirecting handle file action = do
   kept <- hDuplicate handle
   withFile file WriteMode $ \sink -> do
     hSetEncoding sink utf8
-    bracket_ (hDuplicateTo sink handle >> hSetEncoding handle utf8) (hFlush handle >> hDuplicateTo kept handle) action
+    bracket_
+      (hDuplicateTo sink handle >> hSetEncoding handle utf8)
+      (hFlush handle >> hDuplicateTo kept handle)
+      action

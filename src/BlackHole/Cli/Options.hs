@@ -13,7 +13,6 @@ where
 import BlackHole.Cli.Animate.Options (AnimateOptions, animateOptions)
 import BlackHole.Cli.Explore.Options (ExploreOptions, exploreOptions)
 import BlackHole.Cli.Help
-import BlackHole.Cli.Topics
 import BlackHole.Cli.Join (JoinOptions, joinOptions)
 import BlackHole.Cli.ManualPage (manualPage)
 import BlackHole.Cli.Photon.Options (PhotonOptions, photonOptions)
@@ -21,6 +20,7 @@ import BlackHole.Cli.Rays (RaysOptions, raysOptions)
 import BlackHole.Cli.Render.Options (RenderOptions, renderOptions)
 import BlackHole.Cli.SceneCommand (SceneCommand, sceneCommands)
 import BlackHole.Cli.SelfTest (SelfTestOptions, selfTestOptions)
+import BlackHole.Cli.Topics
 import Data.List (dropWhileEnd, find)
 import Data.Maybe (mapMaybe)
 import Options.Applicative

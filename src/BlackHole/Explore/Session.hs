@@ -156,7 +156,9 @@ handleMessage page message = case message of
     tell page (AnimationIs (sequenceFixed <$> made))
   SaveAnimation how name ->
     readTVarIO (pageAnimation page)
-      >>= maybe (refusal page ["there is no animation to save"]) (saveText page how name . sequenceText)
+      >>= maybe
+        (refusal page ["there is no animation to save"])
+        (saveText page how name . sequenceText)
   Scrub input seconds ->
     readTVarIO (pageAnimation page) >>= \case
       Nothing -> refuse page input ["there is no animation"]

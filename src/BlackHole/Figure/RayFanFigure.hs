@@ -167,7 +167,10 @@ holeShapes plot
     ]
   | otherwise =
     [ Disc ink (at plot 0 0) (unit * horizonRadius),
-      Ring (Stroke ink (1.5 * hairline plot) (nearDashes plot)) (at plot 0 0) (unit * photonSphereRadius)
+      Ring
+        (Stroke ink (1.5 * hairline plot) (nearDashes plot))
+        (at plot 0 0)
+        (unit * photonSphereRadius)
     ]
   where
     fan@(RayFan _ _ _ rotation) = plotFan plot
@@ -199,7 +202,12 @@ frame :: Plot -> Shape
 frame plot =
   Polyline
     (Stroke axisColour (hairline plot) Nothing)
-    [at plot (-extent) h, at plot extent h, at plot extent (-h), at plot (-extent) (-h), at plot (-extent) h]
+    [ at plot (-extent) h,
+      at plot extent h,
+      at plot extent (-h),
+      at plot (-extent) (-h),
+      at plot (-extent) h
+    ]
   where
     extent = fanExtent (plotFan plot)
     h = aspect * extent
@@ -277,7 +285,8 @@ legend plot = concat (zipWith entry [0 :: Int ..] legendEntries)
             "prograde, " ++ decimals 3 (photonOrbitRadius (prograde rotation) rotation)
           ),
           ( sampleLine ink (farDashes plot),
-            "retrograde photon orbit, " ++ decimals 3 (photonOrbitRadius (retrograde rotation) rotation)
+            "retrograde photon orbit, "
+              ++ decimals 3 (photonOrbitRadius (retrograde rotation) rotation)
           )
         ]
       | otherwise =

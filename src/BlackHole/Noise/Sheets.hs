@@ -64,8 +64,8 @@ sheets seed count gain =
     octave i = generatePrimArray (bit (rowBits + columnBits + 2 * i)) $ \k ->
       let x = fromIntegral (k .&. (bit (columnBits + i) - 1))
           y = fromIntegral (k `unsafeShiftR` (columnBits + i))
-           point = latticePoint2 (clampedLevel (rowBits + i)) x y
-        in fromIntegral (gradientNumber2 (latticeHash2 seed point))
+          point = latticePoint2 (clampedLevel (rowBits + i)) x y
+       in fromIntegral (gradientNumber2 (latticeHash2 seed point))
 
 -- | Cells of the coarsest octave: 2^3 around, and 2^5 along the second coordinate.
 columnBits, rowBits :: Int

@@ -57,7 +57,10 @@ allRows (Picture _ height) = (0, height)
 countsRow :: Scene -> Exposed -> Int -> Vector Float
 countsRow scene (Exposed light counts) row
   | row < 0 || row >= shapeHeight (pixelArrayShape light) = Vector.replicate width 0
-  | otherwise = fromMaybe (Vector.replicate width (fromIntegral (sceneSamples scene))) (counts >>= (`pixelRow` row))
+  | otherwise =
+    fromMaybe
+      (Vector.replicate width (fromIntegral (sceneSamples scene)))
+      (counts >>= (`pixelRow` row))
   where
     width = shapeWidth (pixelArrayShape light)
 
@@ -67,7 +70,13 @@ filmRows film (first, rows)
   | first < 0 || rows < 1 || first > shapeHeight shape - rows = Nothing
   | otherwise = do
     part <- pixelShape (shapeWidth shape) rows (shapeChannels shape)
-    fromPixelVector part (Vector.slice (first * shapeRowLength shape) (rows * shapeRowLength shape) (toPixelVector film))
+    fromPixelVector
+      part
+      ( Vector.slice
+          (first * shapeRowLength shape)
+          (rows * shapeRowLength shape)
+          (toPixelVector film)
+      )
   where
     shape = pixelArrayShape film
 
@@ -98,7 +107,8 @@ developRow !prepared !row light codes = go 0 0
 -- | 'developFilm' in 16 bits, which need no dither, for a band of the film that starts at
 -- this row.
 developFilmFinely :: Workers -> Development -> Int -> Film -> IO (PixelArray Word16)
-developFilmFinely workers development first = mapRows workers (developRowFinely prepared . (first +))
+developFilmFinely workers development first =
+  mapRows workers (developRowFinely prepared . (first +))
   where
     !prepared = developer development
 

@@ -11,9 +11,23 @@ module BlackHole.Render.Workers
   )
 where
 
-import Control.Concurrent (forkOn, getNumCapabilities, killThread, rtsSupportsBoundThreads, setNumCapabilities)
+import Control.Concurrent
+  ( forkOn,
+    getNumCapabilities,
+    killThread,
+    rtsSupportsBoundThreads,
+    setNumCapabilities,
+  )
 import Control.Concurrent.MVar (newEmptyMVar, putMVar, takeMVar, tryPutMVar)
-import Control.Exception (SomeException, bracket, mask, onException, throwIO, try, uninterruptibleMask_)
+import Control.Exception
+  ( SomeException,
+    bracket,
+    mask,
+    onException,
+    throwIO,
+    try,
+    uninterruptibleMask_,
+  )
 import Control.Monad (forM, void, when)
 import Data.Either (isLeft)
 import Data.IORef (atomicModifyIORef', newIORef)
@@ -90,7 +104,8 @@ onWorkers (Workers wanted) most act = when (count > 0) $
         when (isLeft result || left == 0) $ void (tryPutMVar outcome result)
         putMVar ended ()
       pure (thread, ended)
-    let stop = uninterruptibleMask_ (mapM_ (killThread . fst) workers >> mapM_ (takeMVar . snd) workers)
+    let stop =
+          uninterruptibleMask_ (mapM_ (killThread . fst) workers >> mapM_ (takeMVar . snd) workers)
     result <- restore (takeMVar outcome) `onException` stop
     either (\failure -> stop >> throwIO (failure :: SomeException)) pure result
   where

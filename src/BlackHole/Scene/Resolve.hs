@@ -11,10 +11,10 @@ import BlackHole.Scene.Field.Kind (Value (..), showValue)
 import BlackHole.Scene.Field.Table
 import BlackHole.Scene.File.SceneFile
 import BlackHole.Scene.File.Yaml (YamlFault (..))
+import BlackHole.Scene.Idle
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Problem
 import BlackHole.Scene.Scene
-import BlackHole.Scene.Idle
 import BlackHole.Scene.Setting
 import BlackHole.Scene.Validate
 import qualified Data.ByteString as Bytes

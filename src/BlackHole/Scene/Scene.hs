@@ -25,8 +25,8 @@ import BlackHole.Scene.Disk
 import BlackHole.Scene.Filter (Filter)
 import BlackHole.Scene.Shifts (Shifts)
 import BlackHole.Scene.Sky (Sky)
-import BlackHole.Spacetime.Region (Region, emptyRegion)
 import BlackHole.Spacetime.Observer (Observer)
+import BlackHole.Spacetime.Region (Region, emptyRegion)
 import BlackHole.Spacetime.Schwarzschild.StepRule
 import BlackHole.Spacetime.Types (Spacetime)
 import qualified BlackHole.Vector.XYZ as XYZ

@@ -31,9 +31,9 @@ import BlackHole.Spacetime.Photon
 import BlackHole.Spacetime.PlaneCrossing
 import BlackHole.Spacetime.Schwarzschild.ExactPath
 import BlackHole.Spacetime.Schwarzschild.Leapfrog
-import BlackHole.Spacetime.Schwarzschild.StepRule
 import BlackHole.Spacetime.Schwarzschild.LensDifferential
 import BlackHole.Spacetime.Schwarzschild.LensTable
+import BlackHole.Spacetime.Schwarzschild.StepRule
 import BlackHole.Spacetime.Schwarzschild.TablePath
 import BlackHole.Spacetime.Schwarzschild.Trajectory
 import BlackHole.Spacetime.Schwarzschild.TrajectoryPoints

@@ -2,8 +2,8 @@ module BlackHole.Cli.HelpSpec (spec) where
 
 import qualified BlackHole.Animation.AnimationKeys as AnimationKeys
 import BlackHole.Cli.Help
-import BlackHole.Cli.Topics
 import BlackHole.Cli.Options
+import BlackHole.Cli.Topics
 import BlackHole.Scene.Field.Field
 import BlackHole.Scene.Field.Table (sceneFields)
 import Data.Char (isUpper, toLower)

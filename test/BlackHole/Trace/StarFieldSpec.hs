@@ -71,7 +71,10 @@ spec = do
   it "looks for stars no farther away than the kernel reaches" $
     -- A larger window costs time and shows in no picture.
     forM_ [1e-4, 0.003, 0.02] $ \width ->
-      lookThrough 1 (kernelRadius * width) (RayDifferential (XYZ 0 0 1) (XYZ width 0 0) (XYZ 0 (0.5 * width) 0))
+      lookThrough
+        1
+        (kernelRadius * width)
+        (RayDifferential (XYZ 0 0 1) (XYZ width 0 0) (XYZ 0 (0.5 * width) 0))
         `shouldSatisfy` \case
           Look _ _ _ _ (Window 4 u0 u1 v0 v1) [] ->
             and

@@ -14,9 +14,9 @@ import BlackHole.Cli.Read
 import BlackHole.Numeric.Angle
 import BlackHole.Scene.Problem (Problem (..))
 import BlackHole.Scene.Scene (Integrator (..), integratorName)
-import BlackHole.Spacetime.Schwarzschild.StepRule (StepRule (..), reportStepRule)
 import BlackHole.Spacetime.Kerr.Landmarks (Spin, ergosphereRadius, spin)
 import BlackHole.Spacetime.Kerr.Sight
+import BlackHole.Spacetime.Schwarzschild.StepRule (StepRule (..), reportStepRule)
 import BlackHole.Spacetime.Schwarzschild.Trajectory
 import Data.Maybe (fromMaybe)
 import Options.Applicative

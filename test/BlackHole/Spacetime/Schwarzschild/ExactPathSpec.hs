@@ -6,8 +6,8 @@ import BlackHole.Spacetime.Observer
 import BlackHole.Spacetime.Photon
 import BlackHole.Spacetime.Schwarzschild.ExactPath
 import BlackHole.Spacetime.Schwarzschild.Leapfrog
-import BlackHole.Spacetime.Schwarzschild.StepRule
 import BlackHole.Spacetime.Schwarzschild.Radii (criticalImpactParameter)
+import BlackHole.Spacetime.Schwarzschild.StepRule
 import BlackHole.Spacetime.Types
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ
