@@ -18,7 +18,7 @@ import System.Posix.Types (Fd)
 --
 -- The run-time system opens descriptors of its own before any Haskell code runs, and
 -- gets those numbers if they are free: what is then written to standard output goes
--- to its timer or its poller, which can hang without end. They are distinguished from inherited
+-- to its timer or its poller, which can hang forever. They are distinguished from inherited
 -- ones by their flag close-on-exec, which nothing inherited can have. As they are in
 -- use, the program starts itself again with the right ones, or exits with code 4 where that
 -- is impossible.

@@ -69,7 +69,7 @@ data Memory = Memory
     memoryPace :: !Pace
   }
 
--- | Shows the wanted scene and refines it, without end.
+-- | Shows the wanted scene and refines it, forever.
 showRefined :: View -> IO ()
 showRefined view = go (Memory Nothing Nothing Nothing initialPace) (-1)
   where

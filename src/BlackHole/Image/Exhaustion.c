@@ -10,12 +10,12 @@
 
 #include "Rts.h"
 
-/* More files than threads write at once. */
+/* More than the number of files that the program writes at any one time. */
 #define FILES 1024
 static char *files[FILES];
 static pthread_mutex_t files_mutex = PTHREAD_MUTEX_INITIALIZER;
 
-/* Without a copy of the name the file would only stay behind. */
+/* A file is left behind if there is no room for a copy of its name. */
 void blackhole_remove_if_exhausted(const char *path) {
   char *copy = strdup(path);
   pthread_mutex_lock(&files_mutex);

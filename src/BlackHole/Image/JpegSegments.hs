@@ -1,7 +1,7 @@
 -- | Validation of the segments of a JPEG file before decoding (ITU-T T.81, annex B).
 --
 -- JuicyPixels builds its trees from the tables of Huffman codes without checking
--- whether such a code is possible, so a single changed byte can keep it busy without end.
+-- whether such a code is possible, so a single changed byte can keep it busy forever.
 module BlackHole.Image.JpegSegments (soundJpeg) where
 
 import Data.Bits (shiftL, shiftR, (.&.), (.|.))

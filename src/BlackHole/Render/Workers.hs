@@ -18,19 +18,19 @@ import Control.Concurrent
     rtsSupportsBoundThreads,
     setNumCapabilities,
   )
-import Control.Concurrent.MVar (newEmptyMVar, putMVar, takeMVar, tryPutMVar)
+import Control.Concurrent.Chan (newChan, readChan, writeChan)
+import Control.Concurrent.MVar (newEmptyMVar, putMVar, takeMVar)
 import Control.Exception
   ( SomeException,
     bracket,
+    finally,
     mask,
     onException,
     throwIO,
     try,
     uninterruptibleMask_,
   )
-import Control.Monad (forM, void, when)
-import Data.Either (isLeft)
-import Data.IORef (atomicModifyIORef', newIORef)
+import Control.Monad (forM, replicateM_, when)
 import GHC.Conc (getNumProcessors)
 
 -- | A number of worker threads, from 1 to 'maximumWorkers'.
@@ -89,24 +89,21 @@ withWorkers (Workers wanted) action
 -- one waits on the first one's processor until that has time to hand it over, which can
 -- take ten milliseconds.
 --
--- The workers report through 'MVar's. Waiting for them with STM would have the caller
+-- The workers report through a channel. Waiting for them with STM would have the caller
 -- spin while a worker that the system has stopped holds a transactional variable.
 onWorkers :: Workers -> Int -> IO () -> IO ()
-onWorkers (Workers wanted) most act = when (count > 0) $
-  mask $ \restore -> do
-    running <- newIORef count
-    outcome <- newEmptyMVar
-    workers <- forM [0 .. count - 1] $ \processor -> do
-      ended <- newEmptyMVar
-      thread <- forkOn processor $ do
-        result <- try (restore act)
-        left <- atomicModifyIORef' running (\n -> (n - 1, n - 1))
-        when (isLeft result || left == 0) $ void (tryPutMVar outcome result)
-        putMVar ended ()
-      pure (thread, ended)
-    let stop =
-          uninterruptibleMask_ (mapM_ (killThread . fst) workers >> mapM_ (takeMVar . snd) workers)
-    result <- restore (takeMVar outcome) `onException` stop
-    either (\failure -> stop >> throwIO (failure :: SomeException)) pure result
+onWorkers (Workers wanted) most act = mask $ \restore -> do
+  outcomes <- newChan
+  workers <- forM [0 .. count - 1] $ \processor -> do
+    ended <- newEmptyMVar
+    thread <-
+      forkOn processor $
+        (try (restore act) >>= writeChan outcomes) `finally` putMVar ended ()
+    pure (thread, ended)
+  let next = readChan outcomes >>= either (throwIO :: SomeException -> IO ()) pure
+      stop = uninterruptibleMask_ $ do
+        mapM_ (killThread . fst) workers
+        mapM_ (takeMVar . snd) workers
+  restore (replicateM_ count next) `onException` stop
   where
     count = min wanted most
