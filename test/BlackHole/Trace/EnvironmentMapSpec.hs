@@ -43,10 +43,10 @@ spec = do
       Just image -> do
         environmentMapMean image `near` whole
         -- The same on average through beams of the sizes of all levels' fields.
+        let light = luminance whole
         sequence_
           [ averageThrough across image `shouldBeWithin` (0.01 * light, light)
-            | across <- take 6 (iterate (2 *) 0.1),
-              let light = luminance whole
+            | across <- take 6 (iterate (2 *) 0.1)
           ]
   it "shows what stands where: middle, upper edge, right half" $
     case environmentMapFromPixels 64 32 (\i j -> Radiance (fromIntegral i) (fromIntegral j) 0) of
