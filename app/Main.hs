@@ -8,7 +8,14 @@ import BlackHole.Cli.Run (run)
 import BlackHole.Cli.Signals (stoppable)
 import BlackHole.Image.Exhaustion (handleExhaustion)
 import System.Environment (getArgs)
-import System.IO (BufferMode (LineBuffering), hSetBuffering, hSetEncoding, mkTextEncoding, stderr, stdout)
+import System.IO
+  ( BufferMode (LineBuffering),
+    hSetBuffering,
+    hSetEncoding,
+    mkTextEncoding,
+    stderr,
+    stdout,
+  )
 
 main :: IO ()
 main = do

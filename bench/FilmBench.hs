@@ -8,7 +8,7 @@ import BlackHole.Image.Metadata
 import BlackHole.Light.Display
 import BlackHole.Light.Dither
 import BlackHole.Render.Bloom
-import BlackHole.Render.Film
+import BlackHole.Render.Exposed
 import BlackHole.Render.Layer (noLayers)
 import BlackHole.Render.PixelArray
 import BlackHole.Render.PixelShape
@@ -32,7 +32,15 @@ benchmarks =
     bgroup
       "film of 1920 × 1080"
       [ bench "bloom" (nfIO (Ready <$> bloomFilm oneWorker 0.1 (filmOf ready))),
-        bench "development" (whnfIO (developFilm oneWorker (Development (Exposure 0) ToneFilm noGrain BlueNoise) (filmOf ready))),
+        bench
+          "development"
+          ( whnfIO
+              ( developFilm
+                  oneWorker
+                  (Development (Exposure 0) ToneFilm noGrain BlueNoise)
+                  (filmOf ready)
+              )
+          ),
         file ready Png 8,
         file ready Png 16,
         file ready Jpeg 8,
@@ -47,11 +55,19 @@ benchmarks =
       bench ("development and " ++ show format ++ " in " ++ show bits ++ " bits") . whnfIO $
         traverse
           (\encode -> Lazy.length . snd <$> inMemory (encode (pure . filmRows (filmOf ready))))
-          (fileEncoder oneWorker format (Metadata "bench" (Coding (Just bits) Nothing) Bytes.empty) (Development (Exposure 0) ToneFilm noGrain BlueNoise) noLayers (1920, 1080))
+          ( fileEncoder
+              oneWorker
+              format
+              (Metadata "bench" (Coding (Just bits) Nothing) Bytes.empty)
+              (Development (Exposure 0) ToneFilm noGrain BlueNoise)
+              noLayers
+              (1920, 1080)
+          )
 
 -- | A third black, the rest smooth with some texture, like a rendering.
 gradient :: IO Film
-gradient = case pixelShape width height 3 >>= \shape -> fromPixelVector shape (Vector.generate (3 * width * height) amount) of
+gradient = case pixelShape width height 3 >>= \shape ->
+  fromPixelVector shape (Vector.generate (3 * width * height) amount) of
   Just film -> pure film
   Nothing -> throwIO (userError "no picture")
   where
@@ -60,4 +76,6 @@ gradient = case pixelShape width height 3 >>= \shape -> fromPixelVector shape (V
       let (y, x) = (i `quot` 3) `quotRem` width
           u = fromIntegral x / fromIntegral width
           v = fromIntegral y / fromIntegral height
-       in max 0 (2 * v - 0.6) * (1 + 0.2 * sin (40 * u + 9 * sin (30 * v))) / fromIntegral (1 + i `rem` 3) :: Float
+       in max 0 (2 * v - 0.6)
+            * (1 + 0.2 * sin (40 * u + 9 * sin (30 * v))) / fromIntegral (1 + i `rem` 3) ::
+            Float

@@ -1,6 +1,7 @@
 -- | Complete small pictures, from scene to animation, on one core.
 module FrameBench (benchmarks) where
 
+import BlackHole.Render.Exposed
 import BlackHole.Render.Film
 import BlackHole.Render.Workers (oneWorker)
 import BlackHole.Scene.Camera (Picture (..))
@@ -19,4 +20,9 @@ benchmarks =
     ]
   where
     small scene = scene {scenePicture = Picture 64 36, sceneSamples = 1}
-    frame name scene = bench name (whnfIO (exposeFilm Nothing oneWorker (const (pure ())) scene (allRows (scenePicture scene))))
+    frame name scene =
+      bench
+        name
+        ( whnfIO
+            (exposeFilm Nothing oneWorker (const (pure ())) scene (allRows (scenePicture scene)))
+        )

@@ -19,7 +19,11 @@ benchmarks =
     [ bgroup
         "one sample"
         [ bench name (whnf (transparency . gatherGas (made disk) 1 nothingYet) segment)
-          | (name, disk) <- [("default", defaultDisk), ("smooth", defaultDisk {diskArms = 0, diskTurbulence = 0}), ("report", reportDisk)]
+          | (name, disk) <-
+              [ ("default", defaultDisk),
+                ("smooth", defaultDisk {diskArms = 0, diskTurbulence = 0}),
+                ("report", reportDisk)
+              ]
         ],
       env (pure (placesOf 20000 defaultScene)) $ \places ->
         bgroup

@@ -52,7 +52,8 @@ placesOf count scene = Places (Vector.fromList (concatMap components (take count
             column <- [0, 11 .. 639 :: Int],
             let point = XY (fromIntegral column + 0.5) (fromIntegral row + 0.5),
             Just sight <- [tracedSight traced point],
-            segment <- reverse (followedState (followSight traced point sight (\s t -> Continue (t : s)) []))
+            segment <-
+              reverse (followedState (followSight traced point sight (\s t -> Continue (t : s)) []))
         ]
 
 -- | The number of positions.
@@ -99,12 +100,28 @@ hashedSheets amplitudes turns v height = go 0 (iterate (+ 2.399963229728653) 0.7
   where
     go :: Int -> [Double] -> [Double] -> Double -> Double
     go !i (tilt : tilts) (amplitude : rest) !sum' =
-      go (i + 1) tilts rest (sum' + amplitude * maybe 0 (inCell . cellAround2 l) (onGrid2 (XY (place (8 * turns + cos tilt * height)) (place (v + sin tilt * height)))))
+      go
+        (i + 1)
+        tilts
+        rest
+        ( sum' + amplitude
+            * maybe
+              0
+              (inCell . cellAround2 l)
+              (onGrid2 (XY (place (8 * turns + cos tilt * height)) (place (v + sin tilt * height))))
+        )
       where
         l = clampedLevel (5 + i)
         inCell cell = interpolate2 cell (cornerHashes2 hash cell)
         place x = 2 ^ i * x / cellsPerUnit l
-        hash p = latticeHash2 (Seed 42) (latticePoint2 l ((pointX2 p - middleIndex l) `mod` (8 * 2 ^ i)) ((pointY2 p - middleIndex l) `mod` (32 * 2 ^ i)))
+        hash p =
+          latticeHash2
+            (Seed 42)
+            ( latticePoint2
+                l
+                ((pointX2 p - middleIndex l) `mod` (8 * 2 ^ i))
+                ((pointY2 p - middleIndex l) `mod` (32 * 2 ^ i))
+            )
     go _ _ _ sum' = sum'
 
 -- | The sum of a field over all positions, starting from a number. A different number
@@ -121,7 +138,11 @@ total noise (Places numbers) = go 0
 -- | Whether both ways give the same bits at every position.
 agreeing :: Field -> Places -> Bool
 agreeing field (Places numbers) =
-  and [fieldCached field p == fieldHashed field p | i <- [0, 3 .. Vector.length numbers - 3], let p = placeAt numbers i]
+  and
+    [ fieldCached field p == fieldHashed field p
+      | i <- [0, 3 .. Vector.length numbers - 3],
+        let p = placeAt numbers i
+    ]
 
 placeAt :: Vector.Vector Double -> Int -> XYZ
 placeAt numbers i = XYZ (at 0) (at 1) (at 2)

@@ -14,7 +14,9 @@ benchmarks =
       bgroup "u" [bench name (whnf (orbitInverseRadius (setUp b)) 1.5) | (name, b) <- photons],
       bgroup
         "u and du/dφ"
-        [bench name (whnf (sumOf . orbitInverseRadiusAndSlope (setUp b)) 1.5) | (name, b) <- photons],
+        [ bench name (whnf (sumOf . orbitInverseRadiusAndSlope (setUp b)) 1.5)
+          | (name, b) <- photons
+        ],
       bgroup
         "60 points"
         [bench name (whnf (sixtyPoints (setUp b)) 0.02) | (name, b) <- photons],

@@ -21,7 +21,9 @@ benchmarks =
     [ bench "catalogue of 60000 stars" (whnf (starCount . starCatalogue (Seed 1)) 60000),
       bench "arranging them" (whnf (\flux -> through (starField flux stars) (beams 8e-4)) 1),
       bench "decoding the real stars" (whnf (starCount . decodeStars) starBytes),
-      bench "decoding the real Milky Way" (whnf (fmap environmentMapMean . decodeMilkyWay) milkyWayBytes),
+      bench
+        "decoding the real Milky Way"
+        (whnf (fmap environmentMapMean . decodeMilkyWay) milkyWayBytes),
       bench "random Milky Way" (whnf (luminance . environmentMapMean . milkyWay . Seed) 1),
       bench "1000 beams of a pixel, stars" (whnf (through field) (beams 8e-4)),
       bench "1000 beams of a pixel, Milky Way" (whnf (behind band) (beams 8e-4)),

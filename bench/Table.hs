@@ -53,7 +53,12 @@ printTable program huge = do
     mapM_ (reportWork drawing 3) works
     leapfrog <- reportWork drawing 1 reportLeapfrog
     printf "the table against the leapfrog: %.1f times as fast\n\n" (leapfrog / tabulated)
-    printf "%-46s %8s %8s %6s\n" "price of a feature, default scene, 960 × 540" "without" "with" "ratio"
+    printf
+      "%-46s %8s %8s %6s\n"
+      "price of a feature, default scene, 960 × 540"
+      "without"
+      "with"
+      "ratio"
     mapM_ (reportPrice drawing) prices
     printf "\n%-46s %8s %8s %6s  %s\n" "two workers against one" "1, s" "2, s" "ratio" "target 1.85"
     mapM_ (reportScaling drawing) scalings
@@ -106,9 +111,16 @@ prices =
   ]
 
 reportTable, reportLeapfrog, lensing :: Work
-reportTable = Work "report, 1280 × 720, exact orbits (table)" ["--preset", "report", "--integrator", "table"] 1280 1 "2 Mray/s"
+reportTable =
+  Work
+    "report, 1280 × 720, exact orbits (table)"
+    ["--preset", "report", "--integrator", "table"]
+    1280
+    1
+    "2 Mray/s"
 reportLeapfrog = Work "report, 1280 × 720, leapfrog" ["--preset", "report"] 1280 1 "0.105 Mray/s"
-lensing = Work "lensing alone, 1920 × 1080, grid sky" ["--no-disk", "--sky", "grid"] 1920 1 "8 Mray/s"
+lensing =
+  Work "lensing alone, 1920 × 1080, grid sky" ["--no-disk", "--sky", "grid"] 1920 1 "8 Mray/s"
 
 -- | Large enough that the program's start and the camera's table do not count.
 scalings :: [Work]
@@ -131,14 +143,21 @@ spins =
 
 -- | Rays of a picture, in millions.
 megarays :: Work -> Double
-megarays work = fromIntegral (workWidth work * (workWidth work * 9 `quot` 16) * workSamples work) / 1e6
+megarays work =
+  fromIntegral (workWidth work * (workWidth work * 9 `quot` 16) * workSamples work) / 1e6
 
 -- | Prints one row with the median of this many runs, and returns the median.
 reportWork :: Drawing -> Int -> Work -> IO Double
 reportWork drawing count work = do
   seconds <- median <$> replicateM count (drawingTime drawing [] work)
   memory <- drawingMemory drawing [] work
-  printf "%-46s %8.2f %8.2f %6s  %s\n" (workName work) seconds (megarays work / seconds) (megabytes memory) (workTarget work)
+  printf
+    "%-46s %8.2f %8.2f %6s  %s\n"
+    (workName work)
+    seconds
+    (megarays work / seconds)
+    (megabytes memory)
+    (workTarget work)
   pure seconds
 
 megabytes :: Maybe Double -> String
@@ -147,7 +166,11 @@ megabytes = maybe "-" (printf "%.0f")
 -- | Measured in turns, so that other load on the machine affects both alike.
 reportScaling :: Drawing -> Work -> IO ()
 reportScaling drawing work = do
-  (ones, twos) <- inTurns 5 (drawingTime drawing ["--threads", "1"] work) (drawingTime drawing ["--threads", "2"] work)
+  (ones, twos) <-
+    inTurns
+      5
+      (drawingTime drawing ["--threads", "1"] work)
+      (drawingTime drawing ["--threads", "2"] work)
   printf "%-46s %8.2f %8.2f %6.2f\n" (workName work) ones twos (ones / twos)
 
 reportSpins :: Drawing -> IO ()
@@ -178,7 +201,12 @@ reportSize drawing width = do
   let work = Work (show width ++ " × " ++ show (width * 9 `quot` 16)) [] width 1 ""
   seconds <- median <$> replicateM (if width > 1920 then 1 else 3) (drawingTime drawing [] work)
   memory <- drawingMemory drawing [] work
-  printf "%-46s %8.2f %8.2f %6s\n" (workName work) seconds (seconds / megarays work) (megabytes memory)
+  printf
+    "%-46s %8.2f %8.2f %6s\n"
+    (workName work)
+    seconds
+    (seconds / megarays work)
+    (megabytes memory)
 
 -- | Prints the errors relative to the closed form.
 reportErrors :: IO ()
@@ -186,7 +214,12 @@ reportErrors = do
   printf "%-46s %8s %8s %6s\n" "error of the table (targets: 1e-6, 1e-5)" "sky" "crossing" "fates"
   worst <- forM [0.3, 0.9, 1.0001, 1.2, 1.5, 2, 3, 10, 30, 1000, 1e6] $ \r -> do
     let found = tableError 3000 r
-    printf "%-46s %8.1e %8.1e %6d\n" ("r = " ++ show r) (skyError found) (crossingError found) (wrongFates found)
+    printf
+      "%-46s %8.1e %8.1e %6d\n"
+      ("r = " ++ show r)
+      (skyError found)
+      (crossingError found)
+      (wrongFates found)
     pure found
   let TableError sky crossing fates = mconcat worst
   printf "%-46s %8.1e %8.1e %6d\n" "all" sky crossing fates
@@ -211,7 +244,14 @@ reportNoise name scene = mapM_ (mapM_ one . fields) (sceneDisk scene)
     one field = do
       remembered <- secondsOf (fieldCached field)
       hashed <- secondsOf (fieldHashed field)
-      printf "noise, %s: %s: %.0f ns, hashed %.0f ns, %.1f times (target 5), %s\n" name (fieldName field) (perPlace remembered) (perPlace hashed) (hashed / remembered) (if agreeing field places then "bit-equal" else "NOT EQUAL")
+      printf
+        "noise, %s: %s: %.0f ns, hashed %.0f ns, %.1f times (target 5), %s\n"
+        name
+        (fieldName field)
+        (perPlace remembered)
+        (perPlace hashed)
+        (hashed / remembered)
+        (if agreeing field places then "bit-equal" else "NOT EQUAL")
     perPlace seconds = 1e9 * seconds / fromIntegral (placeCount places)
     secondsOf noise = do
       void (evaluate (total noise places 0))
@@ -263,15 +303,16 @@ arguments output more work =
 -- worker.
 watched :: FilePath -> [String] -> IO (Maybe Double)
 watched program options =
-  withCreateProcess (proc program options) {std_out = CreatePipe, std_err = Inherit} $ \_ _ _ process -> do
-    let follow greatest = do
-          now <- getPid process >>= maybe (pure Nothing) residentMegabytes
-          ended <- getProcessExitCode process
-          case ended of
-            Nothing -> threadDelay 4000 >> follow (max greatest now)
-            Just ExitSuccess -> pure (max greatest now)
-            Just code -> ioError (userError (program ++ ": " ++ show code))
-    follow Nothing
+  withCreateProcess (proc program options) {std_out = CreatePipe, std_err = Inherit} $
+    \_ _ _ process -> do
+      let follow greatest = do
+            now <- getPid process >>= maybe (pure Nothing) residentMegabytes
+            ended <- getProcessExitCode process
+            case ended of
+              Nothing -> threadDelay 4000 >> follow (max greatest now)
+              Just ExitSuccess -> pure (max greatest now)
+              Just code -> ioError (userError (program ++ ": " ++ show code))
+      follow Nothing
 
 -- | The memory high-water mark of a running process.
 residentMegabytes :: Pid -> IO (Maybe Double)

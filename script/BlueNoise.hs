@@ -11,7 +11,13 @@ import qualified Data.Vector.Unboxed.Mutable as MU
 import Data.Word (Word64)
 
 main :: IO ()
-main = putStr (unlines [[digits !! (rank * 64 `quot` cells) | rank <- U.toList (U.slice (y * side) side ranks)] | y <- [0 .. side - 1]])
+main =
+  putStr
+    ( unlines
+        [ [digits !! (rank * 64 `quot` cells) | rank <- U.toList (U.slice (y * side) side ranks)]
+          | y <- [0 .. side - 1]
+        ]
+    )
   where
     digits = ['A' .. 'Z'] ++ ['a' .. 'z'] ++ ['0' .. '9'] ++ "+-"
 

@@ -41,7 +41,9 @@ main = do
   arguments <- getArgs
   case arguments of
     [folder] -> do
-      putStrLn "| spin | inclination | pixels with gas | pixels with gas in one only | g: median | g: worst | intensity: median | 99 % | worst, over the brightest |"
+      putStrLn
+        "| spin | inclination | pixels with gas | pixels with gas in one only | g: median | \
+        \g: worst | intensity: median | 99 % | worst, over the brightest |"
       putStrLn "| --- | --- | --- | --- | --- | --- | --- | --- | --- |"
       worst <- mapM (compared folder) [Case s i | s <- [0, 0.5, 0.95], i <- [30, 80]]
       when (maximum worst > 2e-5) $ die "an intensity differs by more than 2e-5 of the brightest"
@@ -68,7 +70,11 @@ compared folder (Case s inclination) = do
   look <- maybe (die "the scene cannot be traced") pure (pixelGeometry (sceneOf hole))
   let disk = thinDisk hole
       -- GYOTO counts its columns from the left and its rows from the bottom.
-      ours = [geometryDiskHit (look column (side - 1 - row)) | row <- [0 .. side - 1], column <- [0 .. side - 1]]
+      ours =
+        [ geometryDiskHit (look column (side - 1 - row))
+          | row <- [0 .. side - 1],
+            column <- [0 .. side - 1]
+        ]
       shift = crossingLight
       light hit = shift hit ^ (4 :: Int) * thinDiskFlux disk (crossingRadius hit)
       both = [(hit, g, flux) | (Just hit, (g, flux)) <- zip ours theirs, flux > 0]
@@ -78,16 +84,30 @@ compared folder (Case s inclination) = do
       fluxes = sort [abs (flux / (unit * light hit) - 1) | (hit, _, flux) <- both]
       brightest = maximum [flux | (_, _, flux) <- both]
       worst = maximum [abs (flux - unit * light hit) / brightest | (hit, _, flux) <- both]
-  _ <- printf "| %.2f | %.0f° | %d | %d | %.1e | %.1e | %.1e | %.1e | %.1e |\n" s inclination (length both) differ (median shifts) (last shifts) (median fluxes) (fluxes !! ((99 * length fluxes) `div` 100)) worst
+  _ <-
+    printf
+      "| %.2f | %.0f° | %d | %d | %.1e | %.1e | %.1e | %.1e | %.1e |\n"
+      s
+      inclination
+      (length both)
+      differ
+      (median shifts)
+      (last shifts)
+      (median fluxes)
+      (fluxes !! ((99 * length fluxes) `div` 100))
+      worst
   pure worst
   where
     sceneOf hole =
       defaultScene
         { scenePicture = Picture side side,
-          sceneCamera = Camera (Around distance (Degrees inclination) (Degrees 90)) (Degrees 0) fieldOfView,
+          sceneCamera =
+            Camera (Around distance (Degrees inclination) (Degrees 90)) (Degrees 0) fieldOfView,
           sceneSpacetime = if s == 0 then Schwarzschild else Kerr hole,
           sceneObserver = Zamo,
-          sceneDisk = (\d -> d {diskInnerRadius = iscoRadius RightHanded hole, diskOuterRadius = outerRadius}) <$> sceneDisk defaultScene
+          sceneDisk =
+            (\d -> d {diskInnerRadius = iscoRadius RightHanded hole, diskOuterRadius = outerRadius})
+              <$> sceneDisk defaultScene
         }
 
 median :: [Double] -> Double
@@ -109,7 +129,8 @@ gyotoImage folder (Case s inclination) = do
       "<FieldOfView>" ++ radians (inDegrees fieldOfView) ++ "</FieldOfView>",
       "<Resolution>" ++ show side ++ "</Resolution>",
       "</Screen>",
-      "<Astrobj kind=\"PageThorneDisk\"><OuterRadius>" ++ show (2 * outerRadius) ++ "</OuterRadius></Astrobj>",
+      "<Astrobj kind=\"PageThorneDisk\"><OuterRadius>" ++ show (2 * outerRadius)
+        ++ "</OuterRadius></Astrobj>",
       "<Quantities>User4 Redshift</Quantities>",
       "<MinimumTime>-1000</MinimumTime>",
       "<Integrator>runge_kutta_fehlberg78</Integrator>",
@@ -137,15 +158,30 @@ fitsPlanes bytes = do
   let [width, height, depth] = sizes
       numbers = map (real . (8 *)) [0 .. width * height * depth - 1]
       body = Bytes.drop (blocks (80 * (length header + 1))) bytes
-      real at = castWord64ToDouble (Bytes.foldl' (\w b -> w `shiftL` 8 .|. fromIntegral b) (0 :: Word64) (Bytes.take 8 (Bytes.drop at body)))
-  if Bytes.length body < 8 * width * height * depth then Nothing else Just (chunks (width * height) numbers)
+      real at =
+        castWord64ToDouble
+          ( Bytes.foldl'
+              (\w b -> w `shiftL` 8 .|. fromIntegral b)
+              (0 :: Word64)
+              (Bytes.take 8 (Bytes.drop at body))
+          )
+  if Bytes.length body < 8 * width * height * depth
+    then Nothing
+    else Just (chunks (width * height) numbers)
   where
     header = takeWhile ((/= "END") . key) (cards bytes)
-    cards rest = Bytes.take 80 rest : if Bytes.length rest > 80 then cards (Bytes.drop 80 rest) else []
+    cards rest =
+      Bytes.take 80 rest : if Bytes.length rest > 80 then cards (Bytes.drop 80 rest) else []
     key = Characters.unpack . Characters.takeWhile (/= ' ') . Bytes.take 8
-    size name = case [n | card <- header, key card == name, Just (n, _) <- [Characters.readInt (Characters.dropWhile (== ' ') (Bytes.drop 10 card))]] of
-      n : _ -> Just n
-      [] -> Nothing
+    size name =
+      case [ n
+             | card <- header,
+               key card == name,
+               Just (n, _) <-
+                 [Characters.readInt (Characters.dropWhile (== ' ') (Bytes.drop 10 card))]
+           ] of
+        n : _ -> Just n
+        [] -> Nothing
     -- Headers are filled up to a multiple of this many bytes.
     blocks n = (n + 2879) `div` 2880 * 2880
     chunks _ [] = []

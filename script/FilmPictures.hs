@@ -9,6 +9,7 @@ import BlackHole.Light.Radiance
 import BlackHole.Light.ToneMap (ToneCurve (..), toneCurve)
 import BlackHole.Numeric.Angle (Degrees (..))
 import BlackHole.Render.Bloom
+import BlackHole.Render.Exposed
 import BlackHole.Render.Film
 import BlackHole.Render.Optics
 import BlackHole.Render.PixelArray
@@ -37,15 +38,36 @@ main = do
         [] -> "docs/images"
   workers <- defaultWorkers
   withWorkers workers $ do
-    exposed <- exposeFilm Nothing workers (const (pure ())) defaultScene {scenePicture = Picture wide high, sceneSamples = 4} (0, high)
+    exposed <-
+      exposeFilm
+        Nothing
+        workers
+        (const (pure ()))
+        defaultScene {scenePicture = Picture wide high, sceneSamples = 4}
+        (0, high)
     film <- maybe (die "the default scene cannot be traced") (pure . exposedLight) exposed
-    toneMaps <- mapM (\tone -> sheetOf <$> developFilm workers (Development plain tone noGrain BlueNoise) film) [ToneFilm, ToneNone, ToneReinhard, ToneAces, ToneAgx]
+    toneMaps <-
+      mapM
+        (\tone -> sheetOf <$> developFilm workers (Development plain tone noGrain BlueNoise) film)
+        [ToneFilm, ToneNone, ToneReinhard, ToneAces, ToneAgx]
     write folder "film-tone-maps.png" (inRows 2 (toneMaps ++ [channelByChannel film]))
     write folder "film-hue.png" (inRows 1 [wedge byChannel, wedge (applyToneMap ToneFilm)])
     write folder "film-red.png" (inRows 1 [strip towardsWhite, strip desaturateIntoGamut])
-    dithers <- mapM (\dither -> brightened . sheetOf <$> developFilm workers (Development (Exposure (-6)) ToneFilm noGrain dither) film) [NoDither, BlueNoise]
+    dithers <-
+      mapM
+        ( \dither ->
+            brightened . sheetOf
+              <$> developFilm workers (Development (Exposure (-6)) ToneFilm noGrain dither) film
+        )
+        [NoDither, BlueNoise]
     write folder "film-dither.png" (inRows 2 dithers)
-    blooms <- mapM (\strength -> bloomFilm workers strength film >>= fmap sheetOf . developFilm workers (Development plain ToneFilm noGrain BlueNoise)) [0, 0.08, 0.2, 0.5]
+    blooms <-
+      mapM
+        ( \strength ->
+            bloomFilm workers strength film
+              >>= fmap sheetOf . developFilm workers (Development plain ToneFilm noGrain BlueNoise)
+        )
+        [0, 0.08, 0.2, 0.5]
     write folder "film-bloom.png" (inRows 2 blooms)
     instruments <- mapM (recorded workers) (instrumentScenes wide high)
     write folder "film-instrument.png" (inRows 2 instruments)
@@ -62,7 +84,8 @@ instrumentScenes wide high =
         [defaultScene {sceneSpikes = 6, sceneSpikeLight = 0.2}]
           ++ mapMaybe findPreset ["luminet", "m87"]
           ++ [ defaultScene
-                 { sceneCamera = Camera (Around 20 (Degrees 82) (Degrees 90)) (Degrees (-8)) (Degrees 60),
+                 { sceneCamera =
+                     Camera (Around 20 (Degrees 82) (Degrees 90)) (Degrees (-8)) (Degrees 60),
                    sceneAperture = 1.2,
                    sceneFocus = 8,
                    sceneSamples = 32,
@@ -73,12 +96,14 @@ instrumentScenes wide high =
 
 recorded :: Workers -> Scene -> IO Sheet
 recorded workers scene = do
-  exposed <- exposeFilm Nothing workers (const (pure ())) scene (0, pictureHeight (scenePicture scene))
+  exposed <-
+    exposeFilm Nothing workers (const (pure ())) scene (0, pictureHeight (scenePicture scene))
   film <- maybe (die "a scene cannot be traced") (opticsFilm workers scene . exposedLight) exposed
   sheetOf <$> developFilm workers (sceneDevelopment scene) film
 
 sheetOf :: PixelArray Word8 -> Sheet
-sheetOf codes = Sheet width (shapeHeight shape) (\x y k -> Vector.unsafeIndex numbers (3 * (y * width + x) + k))
+sheetOf codes =
+  Sheet width (shapeHeight shape) (\x y k -> Vector.unsafeIndex numbers (3 * (y * width + x) + k))
   where
     shape = pixelArrayShape codes
     width = shapeWidth shape
@@ -91,7 +116,8 @@ byChannel light = case toneCurve ToneFilm of
   Nothing -> light
 
 channelByChannel :: Film -> Sheet
-channelByChannel film = lightSheet width (shapeHeight shape) (\x y -> byChannel (fromMaybe black (filmRadiance film x y)))
+channelByChannel film =
+  lightSheet width (shapeHeight shape) (\x y -> byChannel (fromMaybe black (filmRadiance film x y)))
   where
     shape = pixelArrayShape film
     width = shapeWidth shape
@@ -119,14 +145,23 @@ strip mapped = lightSheet 720 60 $ \x _ ->
 
 -- | Mixes in white until no component is negative, whichever component that is.
 towardsWhite :: Radiance -> Radiance
-towardsWhite light@(Radiance r g b) = mapRadiance (\c -> max 0 (y + (c - y) * y / (y - least))) light
+towardsWhite light@(Radiance r g b) =
+  mapRadiance (\c -> max 0 (y + (c - y) * y / (y - least))) light
   where
     y = luminance light
     least = min 0 (min r (min g b))
 
 -- | The lower right quarter at twice its size, with codes six times as far apart.
 brightened :: Sheet -> Sheet
-brightened (Sheet width height code) = Sheet width height (\x y k -> let c = fromIntegral (code ((width + x) `quot` 2) ((height + y) `quot` 2) k) :: Int in fromIntegral (min 255 (6 * c)))
+brightened (Sheet width height code) =
+  Sheet
+    width
+    height
+    ( \x y k ->
+        let c =
+              fromIntegral (code ((width + x) `quot` 2) ((height + y) `quot` 2) k) :: Int
+         in fromIntegral (min 255 (6 * c))
+    )
 
 -- | Sheets in rows of this many, separated by white lines.
 inRows :: Int -> [Sheet] -> Sheet
@@ -148,4 +183,7 @@ write :: FilePath -> String -> Sheet -> IO ()
 write folder name (Sheet width height code) =
   Lazy.writeFile (folder </> name) (encodePng (Image width height codes :: Image PixelRGB8))
   where
-    codes = Vector.generate (3 * width * height) (\i -> let (pixel, k) = i `quotRem` 3; (y, x) = pixel `quotRem` width in code x y k)
+    codes =
+      Vector.generate
+        (3 * width * height)
+        (\i -> let (pixel, k) = i `quotRem` 3; (y, x) = pixel `quotRem` width in code x y k)

@@ -30,8 +30,14 @@ main = do
   case arguments of
     [file] -> report file Nothing Nothing
     [file, gas] | Just box <- readBox gas -> report file (Just box) Nothing
-    [file, gas, shadow] | Just box <- readBox gas, Just box' <- readBox shadow -> report file (Just box) (Just box')
-    _ -> die "usage: script/picture-report FILE [GAS [SHADOW]]\nGAS and SHADOW are boxes of pixels, WIDTHxHEIGHT+LEFT+TOP"
+    [file, gas, shadow]
+      | Just box <- readBox gas,
+        Just box' <- readBox shadow ->
+        report file (Just box) (Just box')
+    _ ->
+      die
+        "usage: script/picture-report FILE [GAS [SHADOW]]\nGAS and SHADOW are boxes of \
+        \pixels, WIDTHxHEIGHT+LEFT+TOP"
 
 -- | A box as ImageMagick writes it: WIDTHxHEIGHT+LEFT+TOP.
 readBox :: String -> Maybe Box
@@ -44,7 +50,9 @@ readBox text = do
 report :: FilePath -> Maybe Box -> Maybe Box -> IO ()
 report file gas shadow = do
   picture <- readImage file >>= either die (pure . convertRGB8)
-  let inside (Box x y w h) = x >= 0 && y >= 0 && w > 1 && h > 1 && x + w <= imageWidth picture && y + h <= imageHeight picture
+  let inside (Box x y w h) =
+        x >= 0 && y >= 0 && w > 1 && h > 1 && x + w <= imageWidth picture
+          && y + h <= imageHeight picture
       gasBox = fromMaybe (partOf picture nearSide) gas
       shadowBox = fromMaybe (partOf picture shadowMiddle) shadow
   unless (all inside [gasBox, shadowBox]) $ die "a box reaches beyond the picture"
@@ -60,7 +68,13 @@ holds (Number _ _ value bound) = case bound of
 
 line :: Number -> String
 line number@(Number name unit value bound) =
-  printf "%-60s %8.4f %-3s %s%s" name value unit (shown bound) (if holds number then "" else ": NOT MET")
+  printf
+    "%-60s %8.4f %-3s %s%s"
+    name
+    value
+    unit
+    (shown bound)
+    (if holds number then "" else ": NOT MET")
   where
     shown (AtLeast least) = "at least " ++ show least
     shown (AtMost most) = "at most " ++ show most
@@ -82,9 +96,17 @@ measured :: Image PixelRGB8 -> Box -> Box -> [Number]
 measured picture gas shadow =
   [ Number "fine structure of the near side, below 4 pixels" "" (structure 4) (AtLeast 0.075),
     Number "structure of the near side, below 24 pixels" "" (structure 24) (AtLeast 0.25),
-    Number "hues of lit pixels, from the 10th to the 90th percentile" "deg" (percentile 0.9 hues - percentile 0.1 hues) (AtLeast 12),
+    Number
+      "hues of lit pixels, from the 10th to the 90th percentile"
+      "deg"
+      (percentile 0.9 hues - percentile 0.1 hues)
+      (AtLeast 12),
     Number "pixels with a channel at 255" "%" (100 * share clipped everywhere) (AtMost 0.3),
-    Number "mean light in the middle of the shadow, of white" "%" (100 * mean (map (luminance . at) (places shadow))) (AtMost 1),
+    Number
+      "mean light in the middle of the shadow, of white"
+      "%"
+      (100 * mean (map (luminance . at) (places shadow)))
+      (AtMost 1),
     Number "pixels of smooth areas in bands" "%" (100 * banded picture) (AtMost 0.1)
   ]
   where
@@ -105,7 +127,9 @@ luminance (PixelRGB8 r g b) = 0.2126 * decoded r + 0.7152 * decoded g + 0.0722 *
 
 decodedLight :: Storable.Vector Double
 decodedLight = Storable.generate 256 $ \code ->
-  let s = fromIntegral code / 255 in if s <= 0.04045 then s / 12.92 else ((s + 0.055) / 1.055) ** 2.4
+  let s =
+        fromIntegral code / 255
+   in if s <= 0.04045 then s / 12.92 else ((s + 0.055) / 1.055) ** 2.4
 
 -- | A pixel counts as lit if it is coloured and its strongest channel is above a
 -- quarter of the range.
@@ -128,7 +152,8 @@ hue (PixelRGB8 r8 g8 b8)
 
 percentile :: Double -> [Double] -> Double
 percentile _ [] = 0
-percentile part sorted = sorted !! min (length sorted - 1) (floor (part * fromIntegral (length sorted)))
+percentile part sorted =
+  sorted !! min (length sorted - 1) (floor (part * fromIntegral (length sorted)))
 
 share :: (a -> Bool) -> [a] -> Double
 share found = mean . map (\a -> if found a then 1 else 0)
@@ -143,7 +168,8 @@ mean = go 0 (0 :: Int)
 -- | The standard deviation of ln luminance in a box after a Gaussian blur of this
 -- many pixels was subtracted. The blur stays within the box.
 structureBelow :: Image PixelRGB8 -> Box -> Double -> Double
-structureBelow picture box@(Box _ _ w h) sigma = sqrt (mean (map (\d -> (d - middle) ^ (2 :: Int)) differences))
+structureBelow picture box@(Box _ _ w h) sigma =
+  sqrt (mean (map (\d -> (d - middle) ^ (2 :: Int)) differences))
   where
     -- Half a code above black, where the logarithm ends.
     values = U.fromList [log (max 1.5e-4 (luminance (pixelAt picture x y))) | (x, y) <- places box]
@@ -156,27 +182,49 @@ blurred :: Double -> Int -> Int -> U.Vector Double -> U.Vector Double
 blurred sigma w h = alongColumns . alongRows
   where
     reach = ceiling (3 * sigma) :: Int
-    weights = U.generate (2 * reach + 1) (\i -> let d = fromIntegral (i - reach) / sigma in exp (-0.5 * d * d))
-    alongRows v = U.generate (w * h) (\i -> let (y, x) = i `quotRem` w in weighted w x (\k -> v U.! (y * w + k)))
-    alongColumns v = U.generate (w * h) (\i -> let (y, x) = i `quotRem` w in weighted h y (\k -> v U.! (k * w + x)))
+    weights =
+      U.generate
+        (2 * reach + 1)
+        (\i -> let d = fromIntegral (i - reach) / sigma in exp (-0.5 * d * d))
+    alongRows v =
+      U.generate
+        (w * h)
+        (\i -> let (y, x) = i `quotRem` w in weighted w x (\k -> v U.! (y * w + k)))
+    alongColumns v =
+      U.generate
+        (w * h)
+        (\i -> let (y, x) = i `quotRem` w in weighted h y (\k -> v U.! (k * w + x)))
     weighted size place value = go (max 0 (place - reach)) 0 0
       where
         go !k !total !norm
           | k > min (size - 1) (place + reach) = total / norm
-          | otherwise = let weight = weights U.! (k - place + reach) in go (k + 1) (total + weight * value k) (norm + weight)
+          | otherwise =
+            let weight =
+                  weights U.! (k - place + reach)
+             in go (k + 1) (total + weight * value k) (norm + weight)
 
 -- | The share of pixels in bands: horizontal runs of 96 equal codes or more of green,
 -- neither black nor white, between the code below and the code above. A dithered
 -- gradient has hardly any.
 banded :: Image PixelRGB8 -> Double
-banded picture = fromIntegral (sum (map inRow [0 .. imageHeight picture - 1])) / fromIntegral (imageWidth picture * imageHeight picture)
+banded picture =
+  fromIntegral (sum (map inRow [0 .. imageHeight picture - 1]))
+    / fromIntegral (imageWidth picture * imageHeight picture)
   where
-    inRow y = bands (runs [let PixelRGB8 _ g _ = pixelAt picture x y in fromIntegral g :: Int | x <- [0 .. imageWidth picture - 1]])
+    inRow y =
+      bands
+        ( runs
+            [ let PixelRGB8 _ g _ = pixelAt picture x y in fromIntegral g :: Int
+              | x <- [0 .. imageWidth picture - 1]
+            ]
+        )
     runs codes = case codes of
       [] -> []
       c : rest -> let (equal, others) = span (== c) rest in (c, 1 + length equal) : runs others
     bands (before : run@(code, count) : rest@(after : _))
-      | count >= 96 && code > 0 && code < 255 && step before code && step after code && fst before /= fst after = count + bands (run : rest)
+      | count >= 96 && code > 0 && code < 255 && step before code && step after code
+          && fst before /= fst after =
+        count + bands (run : rest)
       | otherwise = bands (run : rest)
     bands _ = 0 :: Int
     step (other, _) code = abs (other - code) == 1

@@ -17,6 +17,7 @@ import BlackHole.Spacetime.Schwarzschild.Deflection
 import BlackHole.Spacetime.Schwarzschild.Leapfrog
 import BlackHole.Spacetime.Schwarzschild.LeapfrogStep
 import BlackHole.Spacetime.Schwarzschild.Orbit (orbit, orbitFate, orbitSweep)
+import BlackHole.Spacetime.Schwarzschild.StepRule
 import BlackHole.Spacetime.Types (Spacetime (..))
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ
@@ -50,9 +51,15 @@ deflectionPlot =
       plotUp = Axis "deflection (rad)" (decades (-3) 2),
       plotSeries =
         [ Curve "#999999" "weak field, 2/b" [(e, 2 / b e) | e <- offsets],
-          Curve "#d08020" "strong field, -ln(b/b_c - 1) + ln(216 (7 - 4√3)) - π" [(e, v) | e <- offsets, let v = strong e, v > 1e-3],
+          Curve
+            "#d08020"
+            "strong field, -ln(b/b_c - 1) + ln(216 (7 - 4√3)) - π"
+            [(e, v) | e <- offsets, let v = strong e, v > 1e-3],
           Curve "#2060c0" "closed form" (mapMaybe (\e -> (,) e <$> deflectionAngle (b e)) offsets),
-          Points "#c02020" "reference, 30 digits" [(q / critical - 1, v) | (q, v) <- deflectionReferences]
+          Points
+            "#c02020"
+            "reference, 30 digits"
+            [(q / critical - 1, v) | (q, v) <- deflectionReferences]
         ]
     }
   where
@@ -69,8 +76,14 @@ orderPlot =
       plotUp = Axis "error (rad)" (decades (-7) 3),
       plotSeries =
         concat
-          [ [ Curve "#999999" (if b == 5 then "second order" else "") [(l, c * l * l) | l <- [0.01, 1]],
-              Points colour ("b = " ++ show b) [(l, directionError b l) | l <- geometric 0.0125 0.4 5]
+          [ [ Curve
+                "#999999"
+                (if b == 5 then "second order" else "")
+                [(l, c * l * l) | l <- [0.01, 1]],
+              Points
+                colour
+                ("b = " ++ show b)
+                [(l, directionError b l) | l <- geometric 0.0125 0.4 5]
             ]
             | (b, colour) <- [(2.7, "#c02020"), (3.5, "#d08020"), (5, "#2060c0")],
               let c = directionError b 0.025 / (0.025 * 0.025)
@@ -86,13 +99,20 @@ shadowPlot =
       plotUp = Axis "angle (degrees)" (Steps [0, 30 .. 180]),
       plotSeries =
         [ Curve "#999999" "Synge's formula" [(r, synge r) | r <- geometric 1.0001 100 300],
-          Points "#2060c0" "where lines of sight begin to miss the hole" [(r, seenBy Static r) | r <- places],
-          Points "#c02020" "the same, directions taken for coordinate directions" [(r, seenBy Coordinate r) | r <- places]
+          Points
+            "#2060c0"
+            "where lines of sight begin to miss the hole"
+            [(r, seenBy Static r) | r <- places],
+          Points
+            "#c02020"
+            "the same, directions taken for coordinate directions"
+            [(r, seenBy Coordinate r) | r <- places]
         ]
     }
   where
     places = [1.05, 1.2, 1.5, 2, 2.5, 3, 4, 6, 8, 10, 14, 20, 30, 50, 80]
-    synge r = (if r < 1.5 then (180 -) else id) (180 / pi * asin (min 1 (critical * sqrt (1 - 1 / r) / r)))
+    synge r =
+      (if r < 1.5 then (180 -) else id) (180 / pi * asin (min 1 (critical * sqrt (1 - 1 / r) / r)))
 
 -- | The edge of the shadow around holes of several spins.
 kerrShadowPlot :: Plot
@@ -151,18 +171,22 @@ kerrTablePlot =
 seenBy :: Observer -> Double -> Double
 seenBy observer r = 180 / pi * bisect dark 0 pi
   where
-    dark psi = case sightLine Schwarzschild observer (XYZ 0 0 r) (XYZ (sin psi) 0 (negate (cos psi))) of
-      Nothing -> True
-      Just (SightLine photon _) -> case orbitFate (orbitOf photon) of
-        Escaped _ -> False
-        _ -> True
+    dark psi =
+      case sightLine Schwarzschild observer (XYZ 0 0 r) (XYZ (sin psi) 0 (negate (cos psi))) of
+        Nothing -> True
+        Just (SightLine photon _) -> case orbitFate (orbitOf photon) of
+          Escaped _ -> False
+          _ -> True
     orbitOf photon@(Photon x v) = orbit r (XYZ.dot x v / r) (XYZ.norm (angularMomentum photon) / r)
 
 -- | The error of the direction of light from r = 30 with this impact parameter,
 -- relative to the closed form.
 directionError :: Double -> Double -> Double
 directionError b l =
-  case (followedFate (followLeapfrog settings Schwarzschild emptyRegion photon (\() _ -> Continue ()) ()), orbitFate path) of
+  case ( followedFate
+           (followLeapfrog settings Schwarzschild emptyRegion photon (\() _ -> Continue ()) ()),
+         orbitFate path
+       ) of
     (Escaped d, Escaped _) ->
       XYZ.distance d (XYZ (sin (alpha + orbitSweep path)) 0 (cos (alpha + orbitSweep path)))
     _ -> 0 / 0
@@ -218,16 +242,28 @@ position scale v = case scale of
 plotSvg :: Plot -> String
 plotSvg (Plot title (Axis labelX scaleX) (Axis labelY scaleY) series) =
   unlines $
-    [ "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 640 420\" width=\"640\" height=\"420\" font-family=\"sans-serif\" font-size=\"12\">",
+    [ "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 640 420\" width=\"640\" \
+      \height=\"420\" font-family=\"sans-serif\" font-size=\"12\">",
       "<rect width=\"640\" height=\"420\" fill=\"#ffffff\"/>",
       "<clipPath id=\"frame\"><rect x=\"70\" y=\"40\" width=\"540\" height=\"320\"/></clipPath>",
       text 340 24 "middle" 15 title,
       text 340 402 "middle" 12 labelX,
       "<g transform=\"translate(18 200) rotate(-90)\">" ++ text 0 0 "middle" 12 labelY ++ "</g>"
     ]
-      ++ concat [line x 40 x 360 "#e4e4e4" ++ [text x 378 "middle" 12 mark] | (v, mark) <- marks scaleX, let x = across v]
-      ++ concat [line 70 y 610 y "#e4e4e4" ++ [text 64 (y + 4) "end" 12 mark] | (v, mark) <- marks scaleY, let y = up v]
-      ++ ["<rect x=\"70\" y=\"40\" width=\"540\" height=\"320\" fill=\"none\" stroke=\"#444444\"/>", "<g clip-path=\"url(#frame)\">"]
+      ++ concat
+        [ line x 40 x 360 "#e4e4e4" ++ [text x 378 "middle" 12 mark]
+          | (v, mark) <- marks scaleX,
+            let x = across v
+        ]
+      ++ concat
+        [ line 70 y 610 y "#e4e4e4" ++ [text 64 (y + 4) "end" 12 mark]
+          | (v, mark) <- marks scaleY,
+            let y = up v
+        ]
+      ++ [ "<rect x=\"70\" y=\"40\" width=\"540\" height=\"320\" fill=\"none\" \
+           \stroke=\"#444444\"/>",
+           "<g clip-path=\"url(#frame)\">"
+         ]
       ++ concatMap draw series
       ++ ["</g>"]
       ++ concat (zipWith legend [58, 76 ..] [s | s <- reverse series, not (null (named s))])
@@ -237,7 +273,8 @@ plotSvg (Plot title (Axis labelX scaleX) (Axis labelY scaleY) series) =
     up v = 360 - 320 * position scaleY v
     marks (Powers powers) = [(10 ^^ n, if abs n > 3 then "1e" ++ show n else plain n) | n <- powers]
     marks (Steps values) = [(v, short v) | v <- values]
-    plain n = if n >= 0 then show (10 ^ n :: Int) else showFFloat (Just (negate n)) (10 ^^ n :: Double) ""
+    plain n =
+      if n >= 0 then show (10 ^ n :: Int) else showFFloat (Just (negate n)) (10 ^^ n :: Double) ""
     short v = show (round v :: Int)
     named (Curve _ name _) = name
     named (Points _ name _) = name
@@ -251,11 +288,24 @@ plotSvg (Plot title (Axis labelX scaleX) (Axis labelY scaleY) series) =
       Curve colour name _ -> line 560 y 590 y colour ++ [text 552 (y + 4) "end" 12 name]
       Points colour name _ -> [dot colour 575 y, text 552 (y + 4) "end" 12 name]
     dot :: String -> Double -> Double -> String
-    dot colour x y = "<circle cx=\"" ++ number x ++ "\" cy=\"" ++ number y ++ "\" r=\"3\" fill=\"" ++ colour ++ "\"/>"
+    dot colour x y =
+      "<circle cx=\"" ++ number x ++ "\" cy=\"" ++ number y ++ "\" r=\"3\" fill=\"" ++ colour
+        ++ "\"/>"
     line :: Double -> Double -> Double -> Double -> String -> [String]
     line x1 y1 x2 y2 colour =
-      ["<line x1=\"" ++ number x1 ++ "\" y1=\"" ++ number y1 ++ "\" x2=\"" ++ number x2 ++ "\" y2=\"" ++ number y2 ++ "\" stroke=\"" ++ colour ++ "\" stroke-width=\"1.5\"/>"]
+      [ "<line x1=\"" ++ number x1 ++ "\" y1=\"" ++ number y1 ++ "\" x2=\"" ++ number x2
+          ++ "\" y2=\""
+          ++ number y2
+          ++ "\" stroke=\""
+          ++ colour
+          ++ "\" stroke-width=\"1.5\"/>"
+      ]
     text :: Double -> Double -> String -> Int -> String -> String
     text x y anchor size content =
-      "<text x=\"" ++ number x ++ "\" y=\"" ++ number y ++ "\" text-anchor=\"" ++ anchor ++ "\" font-size=\"" ++ show size ++ "\">" ++ content ++ "</text>"
+      "<text x=\"" ++ number x ++ "\" y=\"" ++ number y ++ "\" text-anchor=\"" ++ anchor
+        ++ "\" font-size=\""
+        ++ show size
+        ++ "\">"
+        ++ content
+        ++ "</text>"
     number v = showFFloat (Just 1) v ""

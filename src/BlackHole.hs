@@ -2,8 +2,8 @@
 --
 -- A scene starts as a preset or a scene file. 'change' replaces settings by the names
 -- that scene files use for them; 'settingNames' lists these names, and @blackhole scene
--- show default@ prints each setting with its meaning and unit. A film is the linear
--- light of a scene's pixels. A picture is a developed and encoded film.
+-- show default@ prints each setting with its meaning and unit. 'Exposed' is
+-- the linear light of a scene's pixels. A picture is that light, developed and encoded.
 --
 -- This module is the library's stable interface: its exports keep their meaning between
 -- minor versions. All other modules are exposed as well, for callers who want a part of
@@ -24,7 +24,7 @@ module BlackHole
     printScene,
 
     -- * Light
-    Film,
+    Exposed,
     renderFilm,
     filmSize,
     filmRadiance,
@@ -44,8 +44,9 @@ import BlackHole.Image.SceneSource (readSceneFile)
 import BlackHole.Image.SkyFile (SkyFile (..), loadSky)
 import BlackHole.Image.Write (pictureBytes)
 import BlackHole.Light.Radiance (Radiance (..))
-import BlackHole.Render.Film (Exposed (..), allRows, exposeFilm)
-import qualified BlackHole.Render.Film as Film
+import BlackHole.Render.Exposed (Exposed (..), allRows)
+import qualified BlackHole.Render.Exposed as Film
+import BlackHole.Render.Film (exposeFilm)
 import BlackHole.Render.PixelArray (pixelArrayShape)
 import BlackHole.Render.PixelShape (shapeHeight, shapeWidth)
 import BlackHole.Render.Workers (Workers, defaultWorkers, withWorkers)
@@ -53,11 +54,12 @@ import BlackHole.Scene.Field.Field (Field (..))
 import BlackHole.Scene.Field.Kind (readValue)
 import BlackHole.Scene.Field.Table (currentPath, findField, sceneFields)
 import qualified BlackHole.Scene.File.SceneFile as SceneFile
+import BlackHole.Scene.Idle
 import BlackHole.Scene.Preset (defaultScene, findPreset, presetNames)
 import BlackHole.Scene.Problem (suggestion)
 import BlackHole.Scene.Resolve (Request (..), resolveRequest)
 import BlackHole.Scene.Scene (Scene (..))
-import BlackHole.Scene.Setting (Naming (..), Setting (..), applySettings, idleSettings, renderIdle)
+import BlackHole.Scene.Setting (Setting (..), applySettings)
 import BlackHole.Scene.Validate (renderProblem, validateScene)
 import Data.Either (partitionEithers)
 import Data.List (intercalate)
@@ -80,7 +82,8 @@ loadScene file = do
 -- without effect in this scene.
 change :: [(String, String)] -> Scene -> Either [String] Scene
 change pairs scene = case partitionEithers (map setting pairs) of
-  ([], settings) -> case map renderProblem (validateScene changed) ++ map (renderIdle InFile) (idleSettings scene (latest settings)) of
+  ([], settings) -> case map renderProblem (validateScene changed)
+    ++ map (renderIdle InFile) (idleSettings scene (latest settings)) of
     [] -> Right changed
     problems -> Left problems
     where
@@ -108,36 +111,38 @@ printScene = SceneFile.printScene []
 -- result does not depend on the number of processors. 'Left' holds one line per problem
 -- with the scene. A ray takes from 0.1 µs through empty space to several microseconds
 -- through the gas.
-renderFilm :: (Int -> IO ()) -> Scene -> IO (Either [String] Film)
+renderFilm :: (Int -> IO ()) -> Scene -> IO (Either [String] Exposed)
 renderFilm progress scene = case map renderProblem (validateScene scene) of
   [] -> loadSky scene >>= either (pure . Left . pure) (withAllWorkers . under)
   problems -> pure (Left problems)
   where
-    under sky workers = maybe (Left ["this scene can't be traced"]) (Right . Film) <$> exposeFilm (skyFileImage <$> sky) workers progress scene (allRows (scenePicture scene))
-
--- | The linear light of a scene's pixels, and the number of samples of each.
-newtype Film = Film Exposed
+    under sky workers =
+      maybe (Left ["this scene can't be traced"]) Right
+        <$> exposeFilm (skyFileImage <$> sky) workers progress scene (allRows (scenePicture scene))
 
 -- | The width and height of a film in pixels.
-filmSize :: Film -> (Int, Int)
-filmSize (Film exposed) = (shapeWidth shape, shapeHeight shape)
+filmSize :: Exposed -> (Int, Int)
+filmSize exposed = (shapeWidth shape, shapeHeight shape)
   where
     shape = pixelArrayShape (exposedLight exposed)
 
 -- | @filmRadiance film column row@ is the radiance of a pixel, counted from the top
 -- left corner; 'Nothing' outside the film.
-filmRadiance :: Film -> Int -> Int -> Maybe Radiance
-filmRadiance (Film exposed) = Film.filmRadiance (exposedLight exposed)
+filmRadiance :: Exposed -> Int -> Int -> Maybe Radiance
+filmRadiance = Film.filmRadiance . exposedLight
 
 -- | Develops a film as its scene prescribes, and writes it in the format of the file's
 -- extension. The file appears, or replaces an earlier one, only when it is complete. It
 -- stores the scene. 'Left' holds one line with the reason for a failure.
-writeFilm :: FilePath -> Scene -> Film -> IO (Either [String] ())
-writeFilm file scene (Film exposed) = inFormat file $ \format -> do
-  bytes <- withAllWorkers (\workers -> pictureBytes workers software format defaultCoding (scene :| []) exposed)
+writeFilm :: FilePath -> Scene -> Exposed -> IO (Either [String] ())
+writeFilm file scene exposed = inFormat file $ \format -> do
+  bytes <-
+    withAllWorkers
+      (\workers -> pictureBytes workers software format defaultCoding (scene :| []) exposed)
   case bytes of
     Nothing -> pure (Left [file ++ ": this format has no room for so large a picture"])
-    Just content -> either (Left . pure . renderWriteProblem) Right <$> writeFileAtomically file content
+    Just content ->
+      either (Left . pure . renderWriteProblem) Right <$> writeFileAtomically file content
 
 -- | 'renderFilm' followed by 'writeFilm'. Writes the same bytes as @blackhole render@.
 renderToFile :: FilePath -> Scene -> IO (Either [String] ())
@@ -147,7 +152,11 @@ renderToFile file scene = inFormat file . const $ do
 
 inFormat :: FilePath -> (Format -> IO (Either [String] a)) -> IO (Either [String] a)
 inFormat file act = case formatOf file of
-  Nothing -> pure (Left [file ++ ": not a file name that ends in " ++ intercalate ", " (map fst formatExtensions)])
+  Nothing ->
+    pure
+      ( Left
+          [file ++ ": not a file name that ends in " ++ intercalate ", " (map fst formatExtensions)]
+      )
   Just format -> act format
 
 withAllWorkers :: (Workers -> IO a) -> IO a

@@ -30,23 +30,35 @@ spec = before_ (setLocaleEncoding utf8) $ do
   it "writes the bytes that the program writes" $
     inFolder $ \folder -> do
       let file name = folder </> name
-      Right scene <- pure (change [("image.width", "40"), ("sampling.samples", "1"), ("camera.fov", "70")] defaultScene)
+      Right scene <-
+        pure
+          ( change
+              [("image.width", "40"), ("sampling.samples", "1"), ("camera.fov", "70")]
+              defaultScene
+          )
       renderToFile (file "a.png") scene `shouldReturn` Right ()
-      Program.run ["render", "--width", "40", "--samples", "1", "--fov", "70", "--quiet", "-o", file "b.png"] `shouldReturn` ExitSuccess
+      Program.run
+        ["render", "--width", "40", "--samples", "1", "--fov", "70", "--quiet", "-o", file "b.png"]
+        `shouldReturn` ExitSuccess
       ours <- Bytes.readFile (file "a.png")
       Bytes.readFile (file "b.png") `shouldReturn` ours
-      Bytes.writeFile (file "scene.yaml") . Bytes.pack . map (fromIntegral . fromEnum) . filter (< '\x80') $ printScene scene
+      Bytes.writeFile (file "scene.yaml") . Bytes.pack . map (fromIntegral . fromEnum)
+        . filter (< '\x80')
+        $ printScene scene
       loadScene (file "scene.yaml") `shouldReturn` Right scene
   it "tells everything that is wrong with settings at once" $ do
     let wrong pairs = either length (const 0) (change pairs defaultScene)
     wrong [("image.widht", "3"), ("disk.opacity", "much"), ("image.height", "3")] `shouldBe` 2
     wrong [("camera.inclination", "200"), ("image.width", "0")] `shouldBe` 2
     wrong [("image.width", "0"), ("image.width", "16")] `shouldBe` 0
-    either head' (const "") (change [("image.widht", "3")] defaultScene) `shouldSatisfy` isInfixOf "image.width"
+    either head' (const "") (change [("image.widht", "3")] defaultScene)
+      `shouldSatisfy` isInfixOf "image.width"
     Right empty <- pure (change [("disk.present", "false")] defaultScene)
-    either head' (const "") (change [("disk.opacity", "2")] empty) `shouldSatisfy` isInfixOf "no effect"
+    either head' (const "") (change [("disk.opacity", "2")] empty)
+      `shouldSatisfy` isInfixOf "no effect"
   it "refuses a file without a known extension before it renders" $
-    renderToFile "/no/such/place/hole.bmp" defaultScene >>= (`shouldSatisfy` either (any ("hole.bmp" `isInfixOf`)) (const False))
+    renderToFile "/no/such/place/hole.bmp" defaultScene
+      >>= (`shouldSatisfy` either (any ("hole.bmp" `isInfixOf`)) (const False))
   where
     inFolder = withSystemTempDirectory "blackhole-spec"
     last' line = if null (words line) then "" else last (words line)

@@ -7,6 +7,7 @@ import BlackHole.Cli.Help
 import BlackHole.Cli.Options (Parsed (..), commandHelps, formerOptions, parseArguments)
 import BlackHole.Cli.Run (run)
 import BlackHole.Cli.SceneOptions (sceneOptions)
+import BlackHole.Cli.Topics
 import BlackHole.Scene.Field.Field
 import BlackHole.Scene.Field.Kind (showValue)
 import BlackHole.Scene.Field.Table (sceneFields)
@@ -19,7 +20,15 @@ import Data.List (dropWhileEnd, isInfixOf, isPrefixOf, isSuffixOf, nub, sort, st
 import Data.Maybe (fromMaybe, isJust, mapMaybe)
 import GHC.IO.Encoding (setFileSystemEncoding, setLocaleEncoding, utf8)
 import Support.Program (outputOf, quietly, redirecting)
-import System.Directory (copyFile, createDirectoryIfMissing, doesFileExist, doesPathExist, findExecutable, listDirectory, withCurrentDirectory)
+import System.Directory
+  ( copyFile,
+    createDirectoryIfMissing,
+    doesFileExist,
+    doesPathExist,
+    findExecutable,
+    listDirectory,
+    withCurrentDirectory,
+  )
 import System.Exit (ExitCode (..))
 import System.FilePath (takeDirectory, takeExtension, takeFileName, (</>))
 import System.IO (stderr, stdout)
@@ -31,13 +40,32 @@ spec :: Spec
 spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
   describe "finding command lines" $ do
     it "takes code, and code within a sentence, not prose" $
-      commandLines "Use blackhole render.\n\n    blackhole rays -o a.svg   # rays\n\nor `blackhole scene list` alone\n\n```\n$ script/blackhole selftest\n```\n"
-        `shouldBe` [Command ["rays", "-o", "a.svg"] Nothing, Command ["scene", "list"] Nothing, Command ["selftest"] Nothing]
+      commandLines
+        "Use blackhole render.\n\n    blackhole rays -o a.svg   # rays\n\nor `blackhole \
+        \scene list` alone\n\n```\n$ script/blackhole selftest\n```\n"
+        `shouldBe` [ Command ["rays", "-o", "a.svg"] Nothing,
+                     Command ["scene", "list"] Nothing,
+                     Command ["selftest"] Nothing
+                   ]
     it "knows shells" $ do
-      commandLines "    blackhole render a.yaml --tile $i/4 -o big-$i.tile &\n" `shouldBe` [Command ["render", "a.yaml", "--tile", show i ++ "/4", "-o", "big-" ++ show i ++ ".tile"] Nothing | i <- [1 .. 4 :: Int]]
-      commandLines "    until blackhole animate --status frames >/dev/null; do\n" `shouldBe` [Command ["animate", "--status", "frames"] Nothing]
-      commandLines "    blackhole scene show default > mine.yaml   # all\n" `shouldBe` [Command ["scene", "show", "default"] (Just "mine.yaml")]
-      commandLines "    blackhole render \\\n      -o a.png\n" `shouldBe` [Command ["render", "-o", "a.png"] Nothing]
+      commandLines "    blackhole render a.yaml --tile $i/4 -o big-$i.tile &\n"
+        `shouldBe` [ Command
+                       [ "render",
+                         "a.yaml",
+                         "--tile",
+                         show i ++ "/4",
+                         "-o",
+                         "big-" ++ show i ++ ".tile"
+                       ]
+                       Nothing
+                     | i <- [1 .. 4 :: Int]
+                   ]
+      commandLines "    until blackhole animate --status frames >/dev/null; do\n"
+        `shouldBe` [Command ["animate", "--status", "frames"] Nothing]
+      commandLines "    blackhole scene show default > mine.yaml   # all\n"
+        `shouldBe` [Command ["scene", "show", "default"] (Just "mine.yaml")]
+      commandLines "    blackhole render \\\n      -o a.png\n"
+        `shouldBe` [Command ["render", "-o", "a.png"] Nothing]
     it "passes over what only stands for a value" $
       commandLines "    blackhole render --pixel X,Y\n    blackhole help TOPIC\n" `shouldBe` []
   documents <- runIO documentFiles
@@ -48,10 +76,24 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
     forM_ documents $ \document ->
       it ("work in " ++ document) $ \files -> readFile document >>= allWork files . commandLines
     it "work in the program's help" $ \files ->
-      allWork files (nub (concatMap (commandLines . unlines . mapMaybe shown . filter ("blackhole " `isInfixOf`) . filter (not . isPrefixOf "   ") . lines . helpOf) (topicNames ++ commands)))
+      allWork
+        files
+        ( nub
+            ( concatMap
+                ( commandLines . unlines . mapMaybe shown . filter ("blackhole " `isInfixOf`)
+                    . filter (not . isPrefixOf "   ")
+                    . lines
+                    . helpOf
+                )
+                (topicNames ++ commands)
+            )
+        )
   describe "docs/options.md" $ do
     text <- runIO (readFile "docs/options.md")
-    let sectionOf name = takeWhile (not . isPrefixOf "## ") (drop 1 (dropWhile (/= "## `blackhole " ++ name ++ "`") (lines text)))
+    let sectionOf name =
+          takeWhile
+            (not . isPrefixOf "## ")
+            (drop 1 (dropWhile (/= "## `blackhole " ++ name ++ "`") (lines text)))
         rowsOf name = [map trim (splitCells row) | row <- sectionOf name, "| `" `isPrefixOf` row]
         -- A bar in a cell is written with a backslash.
         splitCells row = case break (== '|') (drop 1 row) of
@@ -61,20 +103,39 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
           (_, "") -> []
           (cell, rest) -> cell : splitCells rest
         trim = dropWhileEnd isSpace . dropWhile isSpace
-        optionsOf cell = filter ("--" `isPrefixOf`) (words (map (\c -> if c `elem` "`,()" then ' ' else c) cell))
+        optionsOf cell =
+          filter ("--" `isPrefixOf`) (words (map (\c -> if c `elem` "`,()" then ' ' else c) cell))
         sceneNames = concatMap entryNames (parserEntries sceneOptions)
-    forM_ [c | c <- commandHelps, commandName c `notElem` ["help", "scene"], ' ' `notElem` commandName c] $ \c ->
-      it ("lists every option of " ++ commandName c ++ " once, and no other") $ do
-        let listed = concatMap (concatMap optionsOf . take 1) (rowsOf (commandName c))
-            inherited = if commandName c `elem` ["animate", "explore"] then sceneNames else []
-            own = [name | name <- concatMap entryNames (commandEntries c), "--" `isPrefixOf` name, name `notElem` inherited]
-        sort (nub listed) `shouldBe` sort own
-        -- Both forms of --shard stand in one row.
-        sort (filter (/= "--shard") listed) `shouldBe` sort (filter (/= "--shard") own)
+    forM_
+      [ c | c <- commandHelps, commandName c
+                                 `notElem` ["help", "scene"], ' ' `notElem` commandName c
+      ]
+      $ \c ->
+        it ("lists every option of " ++ commandName c ++ " once, and no other") $ do
+          let listed = concatMap (concatMap optionsOf . take 1) (rowsOf (commandName c))
+              inherited = if commandName c `elem` ["animate", "explore"] then sceneNames else []
+              own =
+                [ name
+                  | name <- concatMap entryNames (commandEntries c),
+                    "--" `isPrefixOf` name,
+                    name `notElem` inherited
+                ]
+          sort (nub listed) `shouldBe` sort own
+          -- Both forms of --shard stand in one row.
+          sort (filter (/= "--shard") listed) `shouldBe` sort (filter (/= "--shard") own)
     it "names every command of scene" $
-      mapM_ (\c -> unlines (sectionOf "scene") `shouldSatisfy` isInfixOf ("blackhole " ++ commandName c)) [c | c <- commandHelps, "scene " `isPrefixOf` commandName c]
+      mapM_
+        ( \c ->
+            unlines (sectionOf "scene") `shouldSatisfy` isInfixOf ("blackhole " ++ commandName c)
+        )
+        [c | c <- commandHelps, "scene " `isPrefixOf` commandName c]
     it "has the defaults of the settings" $ do
-      let documented = concat [zip (optionsOf names) (map trim (separated standard)) | [names, _, standard] <- rowsOf "render", standard /= ""]
+      let tabled =
+            concat
+              [ zip (optionsOf names) (map trim (separated standard))
+                | [names, _, standard] <- rowsOf "render",
+                  standard /= ""
+              ]
           separated cell = case break (== ',') cell of
             (a, _ : rest) -> a : separated rest
             (a, []) -> [a]
@@ -86,58 +147,96 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
                 Just o@(Takes _ _) <- [fieldOption f],
                 Just value <- [fieldGet f defaultScene]
             ]
-      [(name, plain meaning) | (name, meaning) <- documented, name `elem` map fst true] `shouldMatchList` true
+      [(name, plain meaning) | (name, meaning) <- tabled, name `elem` map fst true]
+        `shouldMatchList` true
   it "links of the documents lead to files" $ do
-    targets <- concat <$> mapM (\document -> map (takeDirectory document </>) . links <$> readFile document) documents
+    targets <-
+      concat
+        <$> mapM
+          (\document -> map (takeDirectory document </>) . links <$> readFile document)
+          documents
     missing <- filterM (fmap not . doesPathExist) (nub targets)
     length targets `shouldSatisfy` (> 40)
     missing `shouldBe` []
   describe "the documents" $ do
-    texts <- runIO (mapM (\document -> (,) document <$> readFile document) (filter (\f -> takeExtension f == ".md") documents))
+    texts <-
+      runIO
+        ( mapM
+            (\document -> (,) document <$> readFile document)
+            (filter (\f -> takeExtension f == ".md") documents)
+        )
     let spans = nub [(document, code) | (document, text) <- texts, code <- codeSpans text]
     it "name files that exist" $ do
-      let named = [(document, file) | (document, code) <- spans, file <- maybe [] pure (repositoryFile code)]
+      let named =
+            [ (document, file)
+              | (document, code) <- spans,
+                file <- maybe [] pure (repositoryFile code)
+            ]
       length named `shouldSatisfy` (> 30)
       filterM (fmap not . doesPathExist . snd) named `shouldReturn` []
     it "name modules that exist" $ do
       sources <- concat <$> mapM filesBelow ["src", "backend"]
       let places = map (++ "/") (sources ++ map takeDirectory sources)
           named = [(document, code) | (document, code) <- spans, isModuleName code]
-          known code = any (\path -> any (path `isInfixOf`) places) [concatMap ('/' :) parts ++ end | parts <- [components code], end <- [".hs/", "/"]]
+          known code =
+            any
+              (\path -> any (path `isInfixOf`) places)
+              [concatMap ('/' :) parts ++ end | parts <- [components code], end <- [".hs/", "/"]]
       length named `shouldSatisfy` (> 30)
       filter (not . known . snd) named `shouldBe` []
     it "name options that exist" $ do
-      let options = concatMap (concatMap optionsIn . lines . helpOf) commands ++ ["--help", "--version"] ++ map fst formerOptions ++ scripts
+      let options =
+            concatMap (concatMap optionsIn . lines . helpOf) commands ++ ["--help", "--version"]
+              ++ map fst formerOptions
+              ++ scripts
           -- Of other programs: script/install and sbatch.
           scripts = ["--prefix", "--uninstall", "--array"]
-          named = [(document, option) | (document, code) <- spans, any (`isPrefixOf` code) ["-", "blackhole "], option <- optionsIn code]
+          named =
+            [ (document, option)
+              | (document, code) <- spans,
+                any (`isPrefixOf` code) ["-", "blackhole "],
+                option <- optionsIn code
+            ]
       length named `shouldSatisfy` (> 80)
       filter ((`notElem` options) . snd) named `shouldBe` []
     it "quote the numbers of the code" $
       forM_ quotations $ \(document, quotation, source, definition) -> do
-        (document, lookup document texts) `shouldSatisfy` maybe False (isInfixOf (unwords (words quotation)) . unwords . words) . snd
+        (document, lookup document texts)
+          `shouldSatisfy` maybe False (isInfixOf (oneLine quotation) . oneLine) . snd
         code <- readFile source
-        (source, code) `shouldSatisfy` any (isPrefixOf definition . dropWhile isSpace) . lines . snd
+        (source, code) `shouldSatisfy` isInfixOf (oneLine definition) . oneLine . snd
     it "cover every preset" $
       forM_ presetNames $ \name -> do
-        lookup "docs/gallery.md" texts `shouldSatisfy` maybe False (isInfixOf ("\n## " ++ name ++ "\n"))
-        lookup "scenes/README.md" texts `shouldSatisfy` maybe False (isInfixOf ("`" ++ name ++ ".yaml`"))
+        lookup "docs/gallery.md" texts
+          `shouldSatisfy` maybe False (isInfixOf ("\n## " ++ name ++ "\n"))
+        lookup "scenes/README.md" texts
+          `shouldSatisfy` maybe False (isInfixOf ("`" ++ name ++ ".yaml`"))
         doesFileExist ("scenes" </> name ++ ".yaml") `shouldReturn` True
     it "link to every document" $
       forM_ [f | (f, _) <- texts, takeDirectory f == "docs", f /= "docs/README.md"] $ \file -> do
         lookup "README.md" texts `shouldSatisfy` maybe False (elem file . links)
         lookup "docs/README.md" texts `shouldSatisfy` maybe False (elem (takeFileName file) . links)
     it "list every exit code" $ do
-      let listed = [listedCode | line <- maybe [] lines (lookup "README.md" texts), Just rest <- [stripPrefix "| " line], Just listedCode <- [readMaybe (takeWhile (/= ' ') rest)]]
+      let listed =
+            [ listedCode
+              | line <- maybe [] lines (lookup "README.md" texts),
+                Just rest <- [stripPrefix "| " line],
+                Just listedCode <- [readMaybe (takeWhile (/= ' ') rest)]
+            ]
           code status = case exitCode status of
             ExitSuccess -> 0 :: Int
             ExitFailure n -> n
       listed `shouldBe` map code [minBound .. maxBound]
     it "name the modules that use CPP" $ do
-      sources <- filter ((== ".hs") . takeExtension) . concat <$> mapM filesBelow ["app", "backend", "bench", "script", "src"]
+      sources <-
+        filter ((== ".hs") . takeExtension) . concat
+          <$> mapM filesBelow ["app", "backend", "bench", "script", "src"]
       preprocessed <- filterM (fmap (isInfixOf "{-# LANGUAGE CPP") . readFile) sources
       preprocessed `shouldBe` ["src/BlackHole/Spacetime/Schwarzschild/Leapfrog.hs"]
-      lookup "CONTRIBUTING.md" texts `shouldSatisfy` maybe False (isInfixOf "CPP, except in\n  `BlackHole.Spacetime.Schwarzschild.Leapfrog`")
+      lookup "CONTRIBUTING.md" texts
+        `shouldSatisfy` maybe
+          False
+          (isInfixOf "CPP, except in\n  `BlackHole.Spacetime.Schwarzschild.Leapfrog`")
   where
     commands = map commandName commandHelps
     optionsIn = filter isOption . words . map (\c -> if isAlpha c || c == '-' then c else ' ')
@@ -145,26 +244,70 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
       '-' : '-' : c : _ -> isAlpha c
       _ -> False
     links text = case stripPrefix "](" text of
-      Just rest | target <- takeWhile (`notElem` "#)") rest, not (null target), not ("http" `isPrefixOf` target) -> target : links rest
+      Just rest
+        | target <- takeWhile (`notElem` "#)") rest,
+          not (null target),
+          not ("http" `isPrefixOf` target) ->
+          target : links rest
       _ -> maybe [] (links . drop 1) (if null text then Nothing else Just text)
     shown line = ("    " ++) <$> (stripPrefix "Example: " line <|> stripPrefix "  " line)
     helpOf word = case parseArguments "" ("help" : words word) of
       Inform text -> text
       _ -> ""
 
--- | What a document says, and the line of the source that it must agree with: the
--- document, the quotation, the source file, and the beginning of a line in it.
+-- | A text with its line breaks and runs of spaces as single spaces.
+oneLine :: String -> String
+oneLine = unwords . words
+
+-- | What a document says, and the text of the source that it must agree with, whatever
+-- the line breaks: the document, the quotation, the source file and its text.
 quotations :: [(FilePath, String, FilePath, String)]
 quotations =
-  [ ("docs/architecture.md", "up to 24 octaves", "src/BlackHole/Spacetime/Schwarzschild/LensTable.hs", "octaveCount = 24"),
-    ("docs/architecture.md", "octaves of 64 intervals", "src/BlackHole/Spacetime/Schwarzschild/LensTable.hs", "segmentCount = 64"),
-    ("docs/performance.md", "Closer than 2⁻²⁴ to the critical path", "src/BlackHole/Spacetime/Schwarzschild/LensTable.hs", "closest = 0.5 ^^ octaveCount"),
-    ("docs/physics.md", "b_c = 3√3/2 = 2.598076211353316", "src/BlackHole/Spacetime/Schwarzschild/Radii.hs", "criticalImpactParameter = 2.598076211353316"),
-    ("docs/physics.md", "greatest at r = 4.7755", "src/BlackHole/SelfTest/Physics.hs", "peakCheck = Check \"radius of the disk's greatest flux (Page and Thorne)\" (fst (thinDiskPeak (thinDisk noSpin))) 4.7755"),
-    ("docs/physics.md", "Tracing stops when t < 0.01", "src/BlackHole/Trace/Gas.hs", "opaqueEnough = 0.01"),
-    ("docs/physics.md", "and 10 beyond r = 40", "src/BlackHole/Spacetime/Schwarzschild/LeapfrogStep.hs", "| r2 > 1600 = 10"),
-    ("docs/options.md", "1 to 65536", "src/BlackHole/Scene/Field/Table.hs", "maximumPictureSide = 65536"),
-    ("docs/sky.md", "8192 by 4096", "src/BlackHole/Image/Panorama.hs", "maximumPanoramaPixels = 8192 * 4096"),
+  [ ( "docs/architecture.md",
+      "up to 24 octaves",
+      "src/BlackHole/Spacetime/Schwarzschild/LensTable.hs",
+      "octaveCount = 24"
+    ),
+    ( "docs/architecture.md",
+      "octaves of 64 intervals",
+      "src/BlackHole/Spacetime/Schwarzschild/LensTable.hs",
+      "segmentCount = 64"
+    ),
+    ( "docs/performance.md",
+      "Closer than 2⁻²⁴ to the critical path",
+      "src/BlackHole/Spacetime/Schwarzschild/LensTable.hs",
+      "closest = 0.5 ^^ octaveCount"
+    ),
+    ( "docs/physics.md",
+      "b_c = 3√3/2 = 2.598076211353316",
+      "src/BlackHole/Spacetime/Schwarzschild/Radii.hs",
+      "criticalImpactParameter = 2.598076211353316"
+    ),
+    ( "docs/physics.md",
+      "greatest at r = 4.7755",
+      "src/BlackHole/SelfTest/Physics.hs",
+      "(fst (thinDiskPeak (thinDisk noSpin))) 4.7755"
+    ),
+    ( "docs/physics.md",
+      "Tracing stops when t < 0.01",
+      "src/BlackHole/Trace/Gas.hs",
+      "opaqueEnough = 0.01"
+    ),
+    ( "docs/physics.md",
+      "and 10 beyond r = 40",
+      "src/BlackHole/Spacetime/Schwarzschild/StepRule.hs",
+      "| r2 > 1600 = 10"
+    ),
+    ( "docs/options.md",
+      "1 to 65536",
+      "src/BlackHole/Scene/Field/CameraTable.hs",
+      "maximumPictureSide = 65536"
+    ),
+    ( "docs/sky.md",
+      "8192 by 4096",
+      "src/BlackHole/Image/Panorama.hs",
+      "maximumPanoramaPixels = 8192 * 4096"
+    ),
     ("docs/film.md", "64×64", "src/BlackHole/Light/Dither.hs", "ditherTileSide = 64")
   ]
 
@@ -186,7 +329,8 @@ codeSpans = concatMap (quoted . filter (/= '\\')) . prose False . lines
 repositoryFile :: String -> Maybe FilePath
 repositoryFile code = case words code of
   file : _
-    | takeWhile (/= '/') file `elem` [".ci", "app", "backend", "bench", "docs", "scenes", "script", "src", "test"],
+    | takeWhile (/= '/') file
+        `elem` [".ci", "app", "backend", "bench", "docs", "scenes", "script", "src", "test"],
       '/' `elem` file && not ("NAME" `isInfixOf` file) ->
       Just file
     | "Spec" `isSuffixOf` file && '/' `elem` file -> Just ("test/BlackHole" </> file ++ ".hs")
@@ -205,14 +349,25 @@ components = takeWhile (any isUpper . take 1) . words . map (\c -> if c == '.' t
 filesBelow :: FilePath -> IO [FilePath]
 filesBelow folder = do
   entries <- map (folder </>) . sort <$> listDirectory folder
-  concat <$> mapM (\entry -> doesFileExist entry >>= \isFile -> if isFile then pure [entry] else filesBelow entry) entries
+  concat
+    <$> mapM
+      ( \entry ->
+          doesFileExist entry >>= \isFile -> if isFile then pure [entry] else filesBelow entry
+      )
+      entries
 
 -- | Documents and scene files with words for people.
 documentFiles :: IO [FilePath]
 documentFiles = do
   docs <- listDirectory "docs"
   scenes <- listDirectory "scenes"
-  pure (["README.md", "CONTRIBUTING.md", "CHANGELOG.md"] ++ sort (["docs" </> f | f <- docs, takeExtension f == ".md"] ++ ["scenes" </> f | f <- scenes, takeExtension f `elem` [".md", ".yaml"]]))
+  pure
+    ( ["README.md", "CONTRIBUTING.md", "CHANGELOG.md"]
+        ++ sort
+          ( ["docs" </> f | f <- docs, takeExtension f == ".md"]
+              ++ ["scenes" </> f | f <- scenes, takeExtension f `elem` [".md", ".yaml"]]
+          )
+    )
 
 -- | The program's arguments, and the file that its output goes to.
 data Command = Command [String] (Maybe FilePath)
@@ -222,7 +377,9 @@ data Command = Command [String] (Maybe FilePath)
 commandLines :: String -> [Command]
 commandLines = concatMap (mapMaybe command . repeated) . pieces False . joined . lines
   where
-    joined (a : b : rest) | "\\" `isSuffixOf` a = joined ((dropWhileEnd isSpace (init' a) ++ " " ++ dropWhile isSpace b) : rest)
+    joined (a : b : rest)
+      | "\\" `isSuffixOf` a =
+        joined ((dropWhileEnd isSpace (init' a) ++ " " ++ dropWhile isSpace b) : rest)
     joined (a : rest) = a : joined rest
     joined [] = []
     init' = reverse . drop 1 . reverse
@@ -237,7 +394,10 @@ commandLines = concatMap (mapMaybe command . repeated) . pieces False . joined .
       | otherwise = stripPrefix "#   " line
     -- A span of code is a command line if it has more than a command's name.
     spans line = case break (== '`') line of
-      (_, _ : rest) -> let (code, more) = break (== '`') rest in [code | "blackhole " `isPrefixOf` code, length (words code) > 2] ++ spans (drop 1 more)
+      (_, _ : rest) ->
+        let (code, more) =
+              break (== '`') rest
+         in [code | "blackhole " `isPrefixOf` code, length (words code) > 2] ++ spans (drop 1 more)
       _ -> []
     repeated line
       | "$i" `isInfixOf` line = [replacing "$i" (show i) line | i <- [1 .. 4 :: Int]]
@@ -252,7 +412,9 @@ commandLines = concatMap (mapMaybe command . repeated) . pieces False . joined .
     isOperator word = word `elem` [">", "|", "||", "&", "&&", ":::"] || ">" `isPrefixOf` word
     target (">" : file : _) = Just file
     target _ = Nothing
-    isPlaceholder word = any isUpper word && all (\c -> isUpper c || c `elem` ",/.[]…") word || "…" `isInfixOf` word
+    isPlaceholder word =
+      any isUpper word && all (\c -> isUpper c || c `elem` ",/.[]…") word
+        || "…" `isInfixOf` word
     -- What follows after two spaces, or after a mark, is said to people.
     aside line = case line of
       ' ' : ' ' : _ -> ""
@@ -270,21 +432,27 @@ replacing old new text
 -- start from. The exit code for missing frames also counts as success. All run in this
 -- process, which decodes the stars once.
 allWork :: FilePath -> [Command] -> Expectation
-allWork files commands = unless (null commands) . withSystemTempDirectory "blackhole-spec" $ \folder -> do
-  ffmpeg <- isJust <$> findExecutable "ffmpeg"
-  copyFolder files folder
-  withCurrentDirectory folder . forM_ commands $ \(Command arguments output) -> do
-    mapM_ (createDirectoryIfMissing True . takeDirectory) (valuesOf ["-o", "--output"] arguments)
-    forM_ (valuesOf ["--sky"] arguments) $ \sky ->
-      when (takeExtension sky `elem` [".png", ".jpg", ".hdr", ".tif"]) $ panorama sky
-    small <- concat <$> mapM expanded (scaled (if ffmpeg then arguments else without "--video" arguments))
-    (code, complaint) <- outputOf stderr "said" (redirecting stdout (fromMaybe "printed" output) (run small))
-    let allowed = ExitSuccess : [ExitFailure 5 | "--status" `elem` arguments]
-    when (code `notElem` allowed) . expectationFailure $
-      unwords ("blackhole" : small) ++ "\nended with " ++ show code ++ ":\n" ++ complaint
+allWork files commands = unless (null commands)
+  . withSystemTempDirectory "blackhole-spec"
+  $ \folder -> do
+    ffmpeg <- isJust <$> findExecutable "ffmpeg"
+    copyFolder files folder
+    withCurrentDirectory folder . forM_ commands $ \(Command arguments output) -> do
+      mapM_ (createDirectoryIfMissing True . takeDirectory) (valuesOf ["-o", "--output"] arguments)
+      forM_ (valuesOf ["--sky"] arguments) $ \sky ->
+        when (takeExtension sky `elem` [".png", ".jpg", ".hdr", ".tif"]) $ panorama sky
+      small <-
+        concat
+          <$> mapM expanded (scaled (if ffmpeg then arguments else without "--video" arguments))
+      (code, complaint) <-
+        outputOf stderr "said" (redirecting stdout (fromMaybe "printed" output) (run small))
+      let allowed = ExitSuccess : [ExitFailure 5 | "--status" `elem` arguments]
+      when (code `notElem` allowed) . expectationFailure $
+        unwords ("blackhole" : small) ++ "\nended with " ++ show code ++ ":\n" ++ complaint
 
 valuesOf :: [String] -> [String] -> [String]
-valuesOf names arguments = [value | (name, value) <- zip arguments (drop 1 arguments), name `elem` names]
+valuesOf names arguments =
+  [value | (name, value) <- zip arguments (drop 1 arguments), name `elem` names]
 
 without :: String -> [String] -> [String]
 without name arguments = case break (== name) arguments of
@@ -312,7 +480,8 @@ scaled arguments = case arguments of
 -- | The files that a pattern names.
 expanded :: String -> IO [String]
 expanded argument = case break (== '*') argument of
-  (start, _ : end) -> sort . filter (\name -> start `isPrefixOf` name && end `isSuffixOf` name) <$> listDirectory "."
+  (start, _ : end) ->
+    sort . filter (\name -> start `isPrefixOf` name && end `isSuffixOf` name) <$> listDirectory "."
   _ -> pure [argument]
 
 -- | A folder with the files that the documents' readers have.
@@ -335,8 +504,13 @@ prepare folder = do
   scenes <- listDirectory "scenes"
   forM_ scenes $ \name -> copyFile ("scenes" </> name) (folder </> "scenes" </> name)
   createDirectoryIfMissing True (folder </> "frames")
-  forM_ [("mine.yaml", "image: {width: 16}\n"), ("big.yaml", "preset: report\n"), ("film.yaml", "animation: {frames: 2, camera-path: {kind: orbit}}\n")] $ \(name, text) ->
-    writeFile (folder </> name) text
+  forM_
+    [ ("mine.yaml", "image: {width: 16}\n"),
+      ("big.yaml", "preset: report\n"),
+      ("film.yaml", "animation: {frames: 2, camera-path: {kind: orbit}}\n")
+    ]
+    $ \(name, text) ->
+      writeFile (folder </> name) text
   withCurrentDirectory folder $
     mapM_
       (\arguments -> quietly arguments `shouldReturn` ExitSuccess)
@@ -356,6 +530,13 @@ panorama file = do
       ".png" -> Juicy.writePng file picture
       ".jpg" -> Juicy.saveJpgImage 90 file (Juicy.ImageRGB8 picture)
       ".tif" -> Juicy.writeTiff file picture
-      _ -> Juicy.writeHDR file (Juicy.generateImage (\x y -> Juicy.PixelRGBF (fromIntegral x) (fromIntegral y) 1) 32 16)
+      _ ->
+        Juicy.writeHDR
+          file
+          (Juicy.generateImage (\x y -> Juicy.PixelRGBF (fromIntegral x) (fromIntegral y) 1) 32 16)
   where
-    picture = Juicy.generateImage (\x y -> Juicy.PixelRGB8 (fromIntegral (8 * x)) (fromIntegral (8 * y)) 99) 32 16
+    picture =
+      Juicy.generateImage
+        (\x y -> Juicy.PixelRGB8 (fromIntegral (8 * x)) (fromIntegral (8 * y)) 99)
+        32
+        16

@@ -34,7 +34,10 @@ main = do
   where
     close :: Int -> Int -> Int -> IO ()
     close passed failed skipped =
-      putStrLn (show passed ++ " passed, " ++ show failed ++ " failed" ++ if skipped > 0 then ", " ++ show skipped ++ " skipped" else "")
+      putStrLn
+        ( show passed ++ " passed, " ++ show failed ++ " failed"
+            ++ if skipped > 0 then ", " ++ show skipped ++ " skipped" else ""
+        )
 
 -- | hspec's summary does not tell pending examples from passed ones.
 countingPending :: IORef Int -> Spec -> Spec

@@ -14,7 +14,15 @@ import System.Exit (ExitCode (..))
 import System.FilePath ((</>))
 import System.IO.Temp (withSystemTempDirectory)
 import System.Posix.Signals (sigKILL, signalProcess)
-import System.Process (CreateProcess (cwd, env, std_err), StdStream (NoStream), createProcess, getPid, proc, readCreateProcessWithExitCode, waitForProcess)
+import System.Process
+  ( CreateProcess (cwd, env, std_err),
+    StdStream (NoStream),
+    createProcess,
+    getPid,
+    proc,
+    readCreateProcessWithExitCode,
+    waitForProcess,
+  )
 import Test.Hspec
 
 spec :: Spec
@@ -25,7 +33,8 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
       exitOf result `shouldBe` ExitSuccess
       listDirectory folder `shouldReturn` ["hole.png"]
       decoded <- decodePng <$> Bytes.readFile (folder </> "hole.png")
-      fmap (dynamicMap (\image -> (imageWidth image, imageHeight image))) decoded `shouldBe` Right (32, 18)
+      fmap (dynamicMap (\image -> (imageWidth image, imageHeight image))) decoded
+        `shouldBe` Right (32, 18)
   it "draws a picture in letters where there is no terminal, and writes no file" $
     inFolder $ \folder -> do
       (code, text, _) <- program [("LC_ALL", "C")] folder ["render", "--preview", "--samples", "1"]
@@ -39,8 +48,10 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
       code `shouldNotBe` ExitFailure 1
       message `shouldSatisfy` ("größe" `isInfixOf`)
       length (lines message) `shouldBe` 1
-  it "finishes an animation that is killed again and again, by two at once, with the bytes of one run" $
-    inFolder $ \folder -> do
+  it
+    "finishes an animation that is killed again and again, by two at once, with the bytes of \
+    \one run"
+    $ inFolder $ \folder -> do
       writeFile (folder </> "film.yaml") animation
       whole <- program [] folder ["animate", "film.yaml", "-o", "one/%d.png"]
       exitOf whole `shouldBe` ExitSuccess
@@ -52,18 +63,27 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
           (program [] folder ["animate", "film.yaml", "-o", "two/%d.png"])
       map exitOf [a, b] `shouldBe` [ExitSuccess, ExitSuccess]
       (status, lacking, _) <- program [] folder ["animate", "--status", "two"]
-      (status, lines lacking) `shouldBe` (ExitSuccess, ["two/%d.png: 6 frames, 6 done, 0 running, 0 missing, 0 stale, 0 damaged"])
+      (status, lines lacking)
+        `shouldBe` ( ExitSuccess,
+                     ["two/%d.png: 6 frames, 6 done, 0 running, 0 missing, 0 stale, 0 damaged"]
+                   )
       forM_ [0 .. 5 :: Int] $ \n -> do
         expected <- Bytes.readFile (folder </> "one" </> (show n ++ ".png"))
         Bytes.readFile (folder </> "two" </> (show n ++ ".png")) `shouldReturn` expected
       left <- listDirectory (folder </> "two" </> ".blackhole")
       filter (\name -> any (`isSuffixOf` name) [".claim", ".part"]) left `shouldBe` []
   where
-    animation = unlines ["image: {width: 96}", "sampling: {samples: 1}", "animation: {frames: 6, camera-path: {kind: orbit}}"]
+    animation =
+      unlines
+        [ "image: {width: 96}",
+          "sampling: {samples: 1}",
+          "animation: {frames: 6, camera-path: {kind: orbit}}"
+        ]
     killing folder microseconds arguments = do
       found <- findExecutable "blackhole"
       forM_ found $ \file -> do
-        (_, _, _, process) <- createProcess (proc file arguments) {cwd = Just folder, std_err = NoStream}
+        (_, _, _, process) <-
+          createProcess (proc file arguments) {cwd = Just folder, std_err = NoStream}
         threadDelay microseconds
         victim <- getPid process
         forM_ victim (signalProcess sigKILL)
@@ -79,5 +99,8 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
         Nothing -> pendingWith "blackhole is not on the PATH" >> pure (ExitSuccess, "", "")
         Just file ->
           readCreateProcessWithExitCode
-            (proc file arguments) {cwd = Just folder, env = Just (settings ++ filter ((`notElem` map fst settings) . fst) inherited)}
+            (proc file arguments)
+              { cwd = Just folder,
+                env = Just (settings ++ filter ((`notElem` map fst settings) . fst) inherited)
+              }
             ""

@@ -31,9 +31,18 @@ data Difference = Difference
 differenceOf :: Int -> Image PixelRGB8 -> Image PixelRGB8 -> Maybe Difference
 differenceOf limit old new
   | imageWidth old /= imageWidth new || imageHeight old /= imageHeight new = Nothing
-  | otherwise = Just (Difference (mean signed) (mean absolute) (Vector.foldl' max 0 absolute) (Vector.length (Vector.filter (> limit) absolute)))
+  | otherwise =
+    Just
+      ( Difference
+          (mean signed)
+          (mean absolute)
+          (Vector.foldl' max 0 absolute)
+          (Vector.length (Vector.filter (> limit) absolute))
+      )
   where
-    signed = Vector.zipWith (\a b -> fromIntegral b - fromIntegral a) (imageData old) (imageData new) :: Vector.Vector Int
+    signed =
+      Vector.zipWith (\a b -> fromIntegral b - fromIntegral a) (imageData old) (imageData new) ::
+        Vector.Vector Int
     absolute = Vector.map abs signed
     mean values = fromIntegral (Vector.sum values) / fromIntegral (max 1 (Vector.length values))
 
@@ -49,10 +58,12 @@ data Limits = Limits
 
 -- | @shouldResemble name limits expected actual@. On failure the actual picture
 -- and the differences, ten times as strong, are written to @test-output@.
-shouldResemble :: HasCallStack => String -> Limits -> Image PixelRGB8 -> Image PixelRGB8 -> Expectation
+shouldResemble ::
+  HasCallStack => String -> Limits -> Image PixelRGB8 -> Image PixelRGB8 -> Expectation
 shouldResemble name limits expected actual =
   case differenceOf (limitCodes limits) expected actual of
-    Nothing -> expectationFailure (name ++ ": the size is " ++ size actual ++ ", not " ++ size expected)
+    Nothing ->
+      expectationFailure (name ++ ": the size is " ++ size actual ++ ", not " ++ size expected)
     Just found -> unless (alike found) $ do
       createDirectoryIfMissing True "test-output"
       writePng ("test-output" </> name ++ "-actual" <.> "png") actual
@@ -62,7 +73,8 @@ shouldResemble name limits expected actual =
     alike found =
       differenceAbsolute found <= limitMean limits
         && differenceMaximum found <= limitMaximum limits
-        && fromIntegral (differenceCount found) <= limitPart limits * fromIntegral (Vector.length (imageData expected))
+        && fromIntegral (differenceCount found)
+          <= limitPart limits * fromIntegral (Vector.length (imageData expected))
     size picture = show (imageWidth picture) ++ "x" ++ show (imageHeight picture)
 
 tenfold :: Image PixelRGB8 -> Image PixelRGB8 -> Image PixelRGB8

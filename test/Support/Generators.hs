@@ -64,10 +64,13 @@ inRange low high = choose (low, high)
 
 -- | A scene that can be rendered, with random values in random fields.
 validScene :: Gen Scene
-validScene = (applySettings <$> settings <*> elements (map snd presets)) `suchThat` (null . validateScene)
+validScene =
+  (applySettings <$> settings <*> elements (map snd presets)) `suchThat` (null . validateScene)
   where
     settings = concat <$> traverse maybeSetting sceneFields
-    maybeSetting field = frequency [(2, pure []), (1, (: []) . Setting (fieldPath field) <$> valueOf (fieldKind field))]
+    maybeSetting field =
+      frequency
+        [(2, pure []), (1, (: []) . Setting (fieldPath field) <$> valueOf (fieldKind field))]
 
 -- | A value that a field of this kind may have by itself.
 valueOf :: Kind -> Gen Value
@@ -77,7 +80,11 @@ valueOf kind = case kind of
   SeedKind -> SeedValue <$> oneof [arbitrary, pure maxBound]
   SwitchKind -> SwitchValue <$> arbitrary
   ChoiceKind _ choices -> NameValue . fst <$> elements choices
-  ChoiceOrFileKind _ choices _ -> oneof [NameValue . fst <$> elements choices, FileValue <$> elements ["sky.png", "../a b/it's #1: sky.hdr", "/x/\228\8364.jpg", "'.' "]]
+  ChoiceOrFileKind _ choices _ ->
+    oneof
+      [ NameValue . fst <$> elements choices,
+        FileValue <$> elements ["sky.png", "../a b/it's #1: sky.hdr", "/x/\228\8364.jpg", "'.' "]
+      ]
   VectorKind -> do
     Coordinates place <- arbitrary
     pure (VectorValue place)
@@ -92,4 +99,10 @@ valueOf kind = case kind of
             Endless -> 1000
             UpTo h -> h
             Below h -> h
-       in oneof [inRange low high, inRange low (min high (low + 30)), pure low, pure high, (\e -> low + 10 ** e) <$> inRange (-12) 2]
+       in oneof
+            [ inRange low high,
+              inRange low (min high (low + 30)),
+              pure low,
+              pure high,
+              (\e -> low + 10 ** e) <$> inRange (-12) 2
+            ]

@@ -19,18 +19,30 @@ newtype KerrState = KerrState [Double]
 -- tracing.
 kerrStart :: Double -> Double -> Double -> Double -> Double -> KerrState
 kerrStart r theta lambda radialRate polarRate =
-  KerrState [1 / r, negate radialRate / (r * r), 0, cos theta, sin theta, negate lambda / sin theta, negate (sin theta) * polarRate, cos theta * polarRate, 0]
+  KerrState
+    [ 1 / r,
+      negate radialRate / (r * r),
+      0,
+      cos theta,
+      sin theta,
+      negate lambda / sin theta,
+      negate (sin theta) * polarRate,
+      cos theta * polarRate,
+      0
+    ]
 
 -- | @kerrAdvance a λ η time steps state@: the state after a Mino time, in equal steps.
 kerrAdvance :: Double -> Double -> Double -> Double -> Int -> KerrState -> KerrState
-kerrAdvance a lambda eta time steps (KerrState start) = KerrState (iterate (extrapolated rates (time / fromIntegral steps)) start !! steps)
+kerrAdvance a lambda eta time steps (KerrState start) =
+  KerrState (iterate (extrapolated rates (time / fromIntegral steps)) start !! steps)
   where
     kappa = eta + (lambda - a) * (lambda - a)
     rates state = case state of
       [w, w', x, y, z, x', y', z', _] ->
         let pull = eta + lambda * lambda + 2 * a * a * y * y
          in [ w',
-              (a * a - lambda * lambda - eta) * w + 1.5 * kappa * w * w - 2 * a * a * eta * w * w * w,
+              (a * a - lambda * lambda - eta) * w
+                + 1.5 * kappa * w * w - 2 * a * a * eta * w * w * w,
               x',
               y',
               z',
@@ -45,7 +57,8 @@ kerrAdvance a lambda eta time steps (KerrState start) = KerrState (iterate (extr
 kerrDirection :: KerrState -> (Double, Double, Double)
 kerrDirection (KerrState state) = case state of
   -- Backwards the frame turns the other way.
-  [_, _, x, y, z, _, _, _, turned] -> (x * cos turned - z * sin turned, y, z * cos turned + x * sin turned)
+  [_, _, x, y, z, _, _, _, turned] ->
+    (x * cos turned - z * sin turned, y, z * cos turned + x * sin turned)
   _ -> (0, 0, 0)
 
 extrapolated :: ([Double] -> [Double]) -> Double -> [Double] -> [Double]

@@ -62,7 +62,10 @@ segments = go 0
         cs = taylor u w
         -- The last coefficients show the radius of convergence; a quarter of it
         -- leaves 4^-30.
-        full = 0.25 * minimum (2 : [abs c ** (-1 / n) | (n, c) <- drop (degree - 4) (zip [0 ..] cs), c /= 0])
+        full =
+          0.25
+            * minimum
+              (2 : [abs c ** (-1 / n) | (n, c) <- drop (degree - 4) (zip [0 ..] cs), c /= 0])
         -- A step ends where the orbit turns, so that u is monotonic in each: a
         -- path may cross u = 1 twice within one full step.
         slopes = derivative cs

@@ -78,7 +78,8 @@ string = go ""
     go done s = case s of
       '"' : rest -> Just (reverse done, rest)
       '\\' : 'u' : a : b : c : d : rest
-        | all isHexDigit [a, b, c, d] -> go (chr (foldl (\n h -> 16 * n + digitToInt h) 0 [a, b, c, d]) : done) rest
+        | all isHexDigit [a, b, c, d] ->
+          go (chr (foldl (\n h -> 16 * n + digitToInt h) 0 [a, b, c, d]) : done) rest
       '\\' : c : rest -> do
         meant <- lookup c (zip "\"\\/bfnrt" "\"\\/\b\f\n\r\t")
         go (meant : done) rest

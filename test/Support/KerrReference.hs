@@ -19,7 +19,9 @@ import Text.Read (readMaybe)
 
 -- | The rows of a table, cell by cell, without comments and heading.
 kerrRows :: FilePath -> IO [[String]]
-kerrRows name = map (splitOn ',') . drop 1 . filter ((/= "#") . take 1) . lines <$> readFile ("test/reference/" ++ name)
+kerrRows name =
+  map (splitOn ',') . drop 1 . filter ((/= "#") . take 1) . lines
+    <$> readFile ("test/reference/" ++ name)
 
 splitOn :: Char -> String -> [String]
 splitOn separator text = case break (== separator) text of
@@ -58,19 +60,26 @@ data KerrCrossing = KerrCrossing
 readKerrRays :: IO [KerrRay]
 readKerrRays = mapMaybe ray <$> kerrRows "kerr-rays.csv"
   where
-    ray (s : r : i : _ : psi : eta : fate : nu : lambda : q : mino : x : y : z : segment : crossings : left : _) =
-      Just $
-        common AtRest (s, r, i, psi, eta) (nu, lambda, q) fate (x, y, z) $ \known ->
-          known
-            { rayMinoTime = readMaybe mino,
-              raySegment = fromMaybe 1 (readMaybe segment),
-              rayCrossings =
-                [ KerrCrossing (number radius) (number azimuth) (number g)
-                  | crossing <- splitOn ';' crossings,
-                    [radius, azimuth, g] <- [splitOn ':' crossing]
-                ],
-              rayLeftHanded = mapMaybe readMaybe (splitOn ';' left)
-            }
+    ray
+      ( s : r : i : _ : psi : eta : fate : nu : lambda : q : mino : x : y
+          : z
+          : segment
+          : crossings
+          : left
+          : _
+        ) =
+        Just $
+          common AtRest (s, r, i, psi, eta) (nu, lambda, q) fate (x, y, z) $ \known ->
+            known
+              { rayMinoTime = readMaybe mino,
+                raySegment = fromMaybe 1 (readMaybe segment),
+                rayCrossings =
+                  [ KerrCrossing (number radius) (number azimuth) (number g)
+                    | crossing <- splitOn ';' crossings,
+                      [radius, azimuth, g] <- [splitOn ':' crossing]
+                  ],
+                rayLeftHanded = mapMaybe readMaybe (splitOn ';' left)
+              }
     ray _ = Nothing
 
 -- | @kerr-observers.csv@.
@@ -78,24 +87,40 @@ readKerrObservers :: IO [KerrRay]
 readKerrObservers = mapMaybe ray <$> kerrRows "kerr-observers.csv"
   where
     ray (name : s : r : i : psi : eta : nu : lambda : q : fate : x : y : z : _) = do
-      motion <- lookup name [("static", AtRest), ("zamo", ZeroAngularMomentum), ("orbiting", OnOrbit RightHanded), ("falling", InFreeFall)]
+      motion <-
+        lookup
+          name
+          [ ("static", AtRest),
+            ("zamo", ZeroAngularMomentum),
+            ("orbiting", OnOrbit RightHanded),
+            ("falling", InFreeFall)
+          ]
       pure (common motion (s, r, i, psi, eta) (nu, lambda, q) fate (x, y, z) id)
     ray _ = Nothing
 
 type Cells3 = (String, String, String)
 
-common :: Motion -> (String, String, String, String, String) -> Cells3 -> String -> Cells3 -> (KerrRay -> KerrRay) -> KerrRay
+common ::
+  Motion ->
+  (String, String, String, String, String) ->
+  Cells3 ->
+  String ->
+  Cells3 ->
+  (KerrRay -> KerrRay) ->
+  KerrRay
 common motion (s, r, i, psi, eta) (nu, lambda, q) fate (x, y, z) finish =
   finish
     KerrRay
-      { rayName = unwords [show motion, "spin", s, "at r", r, "inclination", i, "psi", psi, "eta", eta],
+      { rayName =
+          unwords [show motion, "spin", s, "at r", r, "inclination", i, "psi", psi, "eta", eta],
         raySpin = spinOf (number s),
         rayMotion = motion,
         rayPlace = Place (number r) (degrees (number i)),
         rayDirection = aimed (degrees (number psi)) (degrees (number eta)),
         rayConstants = (number nu, number lambda, number q),
         rayMinoTime = Nothing,
-        rayEscape = if fate == "escaped" then Just (XYZ (number x) (number y) (number z)) else Nothing,
+        rayEscape =
+          if fate == "escaped" then Just (XYZ (number x) (number y) (number z)) else Nothing,
         raySegment = 1,
         rayCrossings = [],
         rayLeftHanded = []

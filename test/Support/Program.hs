@@ -9,7 +9,13 @@ import System.IO
 
 -- | Run the program without reports of progress and success.
 quietly :: [String] -> IO ExitCode
-quietly arguments = run (arguments ++ ["--quiet" | take 1 arguments `elem` map pure ["render", "join", "animate", "rays", "photon"]])
+quietly arguments =
+  run
+    ( arguments
+        ++ [ "--quiet"
+             | take 1 arguments `elem` map pure ["render", "join", "animate", "rays", "photon"]
+           ]
+    )
 
 -- | Run an action and return its result with what it wrote to a handle, by way of a
 -- file.
@@ -29,4 +35,7 @@ redirecting handle file action = do
   kept <- hDuplicate handle
   withFile file WriteMode $ \sink -> do
     hSetEncoding sink utf8
-    bracket_ (hDuplicateTo sink handle >> hSetEncoding handle utf8) (hFlush handle >> hDuplicateTo kept handle) action
+    bracket_
+      (hDuplicateTo sink handle >> hSetEncoding handle utf8)
+      (hFlush handle >> hDuplicateTo kept handle)
+      action

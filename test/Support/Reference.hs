@@ -72,7 +72,8 @@ readRays = readRows row "test/reference/rays.csv"
       Ray <$> readMaybe r <*> readMaybe inclination <*> readMaybe psi <*> readMaybe eta
         <*> fate end swept
         <*> readMaybe b
-        <*> pure (Crossing <$> readMaybe number <*> readMaybe radius <*> readMaybe azimuth <*> readMaybe g)
+        <*> pure
+          (Crossing <$> readMaybe number <*> readMaybe radius <*> readMaybe azimuth <*> readMaybe g)
     row _ = Nothing
     fate "escaped" swept = RayEscapes <$> readMaybe swept
     fate "captured" _ = Just RayCaptured

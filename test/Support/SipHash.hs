@@ -15,10 +15,16 @@ sipHash (SipKey k0 k1) message = a `xor` b `xor` c `xor` d
   where
     (a, b, c, d) = iterate sipRound (w0, w1, w2 `xor` 0xff, w3) !! 4
     (w0, w1, w2, w3) = foldl absorb start (wordsOf message)
-    start = (k0 `xor` 0x736f6d6570736575, k1 `xor` 0x646f72616e646f6d, k0 `xor` 0x6c7967656e657261, k1 `xor` 0x7465646279746573)
+    start =
+      ( k0 `xor` 0x736f6d6570736575,
+        k1 `xor` 0x646f72616e646f6d,
+        k0 `xor` 0x6c7967656e657261,
+        k1 `xor` 0x7465646279746573
+      )
     -- The last word ends with the length modulo 256.
     wordsOf bytes
-      | Bytes.length bytes < 8 = [littleEndian bytes .|. (fromIntegral (Bytes.length message) `shiftL` 56)]
+      | Bytes.length bytes < 8 =
+        [littleEndian bytes .|. (fromIntegral (Bytes.length message) `shiftL` 56)]
       | otherwise = littleEndian (Bytes.take 8 bytes) : wordsOf (Bytes.drop 8 bytes)
     littleEndian = Bytes.foldr (\byte n -> n `shiftL` 8 .|. fromIntegral byte) 0
 

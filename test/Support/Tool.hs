@@ -25,14 +25,17 @@ withImageMagick name action = go [("magick", [name]), (name, [])]
       found <- findExecutable program
       version <- maybe (pure Bytes.empty) (`toolOutput` ["-version"]) found
       case found of
-        Just path | Characters.pack "ImageMagick" `Bytes.isInfixOf` version -> action (toolOutput path . (subcommand ++))
+        Just path
+          | Characters.pack "ImageMagick" `Bytes.isInfixOf` version ->
+            action (toolOutput path . (subcommand ++))
         _ -> go others
 
 -- | What a program prints on standard output.
 toolOutput :: FilePath -> [String] -> IO Bytes.ByteString
 toolOutput program arguments = withSystemTempDirectory "blackhole-tool" $ \folder -> do
   (path, handle) <- openBinaryTempFile folder "output"
-  (_, _, _, process) <- createProcess (proc program arguments) {std_out = UseHandle handle, std_err = NoStream}
+  (_, _, _, process) <-
+    createProcess (proc program arguments) {std_out = UseHandle handle, std_err = NoStream}
   _ <- waitForProcess process
   hClose handle
   Bytes.readFile path

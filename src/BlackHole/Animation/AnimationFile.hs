@@ -1,18 +1,13 @@
--- | The section @animation@ of a scene file, which makes an animation of a scene. The reader,
--- the JSON Schema and the help all derive from the tables of its keys.
+-- | The section @animation@ of a scene file, which makes an animation of a scene, read by
+-- the tables of its keys ("BlackHole.Animation.AnimationKeys").
 module BlackHole.Animation.AnimationFile
-  ( animationKey,
-    readAnimation,
-    AnimationKey (..),
-    animationKeys,
-    cameraPathKeys,
-    pathKinds,
-    keyframeKeys,
+  ( readAnimation,
     isTrackable,
   )
 where
 
 import BlackHole.Animation.Animation
+import BlackHole.Animation.AnimationKeys
 import BlackHole.Animation.CameraPath
 import BlackHole.Animation.Interpolate
 import BlackHole.Scene.Field.Field
@@ -28,61 +23,12 @@ import Control.Applicative ((<|>))
 import Data.List (find, intercalate, sortOn)
 import Data.Maybe (fromMaybe, isJust, mapMaybe)
 
--- | The section's name at the top of a scene file.
-animationKey :: String
-animationKey = "animation"
-
--- | A key with its kind of value and a description in one line.
-data AnimationKey = AnimationKey
-  { keyName :: !String,
-    keyKind :: !Kind,
-    keyDoc :: !String
-  }
-
--- | The keys of the section that have a single value; it also has the groups
--- @camera-path@ and @keyframes@.
-animationKeys :: [AnimationKey]
-animationKeys =
-  [ AnimationKey "frames" (WholeKind 1 maximumFrames "") "Number of frames, instead of the duration",
-    AnimationKey "duration" (NumberKind (Quantity "a duration" (Above 0) (UpTo 1e6) "seconds")) "Duration of the animation in seconds, instead of the number of frames",
-    AnimationKey "fps" (NumberKind (Quantity "a number of frames per second" (From 0.001) (UpTo 1000) "")) "Frames per second (default: 24)",
-    AnimationKey "shutter" (NumberKind (Quantity "a fraction of the time between frames" (From 0) (UpTo 1) "")) "Motion blur: the fraction of the time between frames for which the shutter is open (default: 0, no motion blur)",
-    AnimationKey "shutter-samples" (WholeKind 1 maximumShutterSamples "") "Times averaged in each frame with an open shutter; rendering takes that many times as long (default: 8)"
-  ]
-
--- | The keys of the group @camera-path@.
-cameraPathKeys :: [AnimationKey]
-cameraPathKeys =
-  [ AnimationKey "kind" (ChoiceKind "a camera path" [(name, doc) | (name, doc, _) <- pathKinds]) "Kind of the camera path",
-    AnimationKey "turns" (NumberKind (Quantity "a number of turns" (From (-1e4)) (UpTo 1e4) "")) "Number of turns around the hole during the animation, right-handed about the axis (default: 1)",
-    AnimationKey "axis" VectorKind "Axis of the turns (default: [0, 1, 0], the disk's axis)",
-    AnimationKey "to" VectorKind "Position of the camera at the end of the animation, in Schwarzschild radii",
-    AnimationKey "look-at" VectorKind "Point that the camera looks at in the end, in Schwarzschild radii (default: the same as at the start)",
-    AnimationKey "interpolation" (ChoiceKind "a kind of interpolation" [("linear", "at constant speed"), ("eased", "from rest to rest")]) "Speed along the path: linear (constant), or eased (from rest to rest) (default: linear)",
-    AnimationKey "end-distance" (NumberKind (Quantity "a distance" (Above 0) (UpTo 1e6) "Schwarzschild radii")) "Distance from the hole at the end of the animation, in Schwarzschild radii",
-    AnimationKey "rate" (NumberKind (Quantity "a proper time" (From (-1e9)) (UpTo 1e9) "r_s/c per second of animation")) "Proper time of the camera per second of animation, in r_s/c"
-  ]
-
--- | The kinds of camera paths: name, description, and keys.
-pathKinds :: [(String, String, [String])]
-pathKinds =
-  [ ("orbit", "turns around the hole", ["turns", "axis", "interpolation"]),
-    ("dolly", "a straight line to a position", ["to", "look-at", "interpolation"]),
-    ("free-fall", "radial free fall from rest at infinity, with end-distance or rate", ["end-distance", "rate"]),
-    ("circular-orbit", "the circular geodesic in the disk's plane", ["rate"])
-  ]
-
--- | The keys of a setting under @keyframes@, apart from times.
-keyframeKeys :: [AnimationKey]
-keyframeKeys =
-  [ AnimationKey "interpolation" (ChoiceKind "a kind of interpolation" [(interpolationName kind, "") | kind <- [minBound ..]]) "Between two keys: held (the value of the earlier key), linear, eased (from rest to rest) or smooth (Catmull-Rom spline) (default: linear)",
-    AnimationKey "shortest-turn" SwitchKind "For angles in degrees: take the shorter way round from each key to the next (default: false)"
-  ]
-
 -- | Whether a setting can have keyframes: all numbers and vectors except the picture's
 -- size.
 isTrackable :: Field -> Bool
-isTrackable field = takeWhile (/= '.') (fieldPath field) /= "image" && isJust (trackValue (fieldKind field) (fieldValues field))
+isTrackable field =
+  takeWhile (/= '.') (fieldPath field) /= "image"
+    && isJust (trackValue (fieldKind field) (fieldValues field))
   where
     fieldValues f = case fieldKind f of
       VectorKind -> [0, 0, 0]
@@ -111,21 +57,33 @@ readAnimation root = case root of
 readSection :: Node -> (Scene -> Animation, Faults)
 readSection section = (animation, faults)
   where
-    (values, others, formFaults) = entriesOf [animationKey] animationKeys ["camera-path", "keyframes"] section
+    (values, others, formFaults) =
+      entriesOf [animationKey] animationKeys ["camera-path", "keyframes"] section
     (path, pathFaults) = maybe (Nothing, []) readPath (lookup "camera-path" others)
     (tracks, trackFaults) = maybe ([], []) readTracks (lookup "keyframes" others)
     faults = formFaults ++ lengthFaults ++ shutterFaults ++ pathFaults ++ trackFaults ++ clashes
     shutterFaults =
-      [ (line, Mistake (within "shutter-samples") "has no effect; it applies only with a shutter above 0")
+      [ ( line,
+          Mistake (within "shutter-samples") "has no effect; it applies only with a shutter above 0"
+        )
         | maybe True (<= 0) (numberOf "shutter"),
           Just (line, _) <- [value "shutter-samples"]
       ]
     lengthFaults = case (value "frames", value "duration") of
-      (Just _, Just (line, _)) -> [(line, Mistake (within "duration") "cannot be combined with frames")]
-      (Nothing, Nothing) | null formFaults -> [(nodeLine section, Mistake animationKey "needs frames or duration")]
+      (Just _, Just (line, _)) ->
+        [(line, Mistake (within "duration") "cannot be combined with frames")]
+      (Nothing, Nothing)
+        | null formFaults ->
+          [(nodeLine section, Mistake animationKey "needs frames or duration")]
       _ -> []
     clashes =
-      [ (nodeLine section, Mistake (within ("keyframes." ++ trackField track)) ("cannot be combined with the camera path " ++ cameraPathName p ++ ", which determines the position of the camera"))
+      [ ( nodeLine section,
+          Mistake
+            (within ("keyframes." ++ trackField track))
+            ( "cannot be combined with the camera path " ++ cameraPathName p
+                ++ ", which determines the position of the camera"
+            )
+        )
         | Just p <- [path],
           isGeodesic p,
           track <- tracks,
@@ -142,25 +100,47 @@ readSection section = (animation, faults)
     animation scene =
       Animation
         { animationScene = scene,
-          animationFrames = fromMaybe 48 (wholeOf "frames" <|> fmap (\d -> max 1 (round (d * rate))) (numberOf "duration")),
+          animationFrames =
+            fromMaybe
+              48
+              (wholeOf "frames" <|> fmap (\d -> max 1 (round (d * rate))) (numberOf "duration")),
           animationRate = rate,
           animationTracks = tracks,
           animationPath = path,
-          animationShutter = Shutter (fromMaybe 0 (numberOf "shutter")) (fromMaybe 8 (wholeOf "shutter-samples"))
+          animationShutter =
+            Shutter (fromMaybe 0 (numberOf "shutter")) (fromMaybe 8 (wholeOf "shutter-samples"))
         }
 
 readPath :: Node -> (Maybe CameraPath, Faults)
 readPath node = case value "kind" of
-  Just (_, NameValue kind) -> (if null missing then build kind else Nothing, formFaults ++ surplus kind ++ missing ++ both)
+  Just (_, NameValue kind) ->
+    (if null missing then build kind else Nothing, formFaults ++ surplus kind ++ missing ++ both)
     where
-      missing = [(nodeLine node, Mistake pathLabel ("a path of the kind " ++ kind ++ " needs " ++ wanted)) | wanted <- lacking kind]
-  _ -> (Nothing, formFaults ++ [(nodeLine node, Mistake pathLabel ("needs a kind: " ++ intercalate ", " [kind | (kind, _, _) <- pathKinds])) | null formFaults])
+      missing =
+        [ (nodeLine node, Mistake pathLabel ("a path of the kind " ++ kind ++ " needs " ++ wanted))
+          | wanted <- lacking kind
+        ]
+  _ ->
+    ( Nothing,
+      formFaults
+        ++ [ ( nodeLine node,
+               Mistake
+                 pathLabel
+                 ("needs a kind: " ++ intercalate ", " [kind | (kind, _, _) <- pathKinds])
+             )
+             | null formFaults
+           ]
+    )
   where
     (values, _, formFaults) = entriesOf [animationKey, "camera-path"] cameraPathKeys [] node
     pathLabel = within "camera-path"
     value name = lookup name values
     surplus kind =
-      [ (line, Mistake (pathLabel ++ "." ++ name) ("not a key of the kind " ++ kind ++ "; its keys are: " ++ intercalate ", " allowed))
+      [ ( line,
+          Mistake
+            (pathLabel ++ "." ++ name)
+            ("not a key of the kind " ++ kind ++ "; its keys are: " ++ intercalate ", " allowed)
+        )
         | (name, (line, _)) <- values,
           (known, _, allowed) <- pathKinds,
           known == kind,
@@ -186,9 +166,12 @@ readPath node = case value "kind" of
       Just (_, NameValue "eased") -> Eased
       _ -> Linear
     build kind = case kind of
-      "orbit" -> Just (Orbit (fromMaybe (XYZ 0 1 0) (vectorOf "axis")) (fromMaybe 1 (numberOf "turns")) way)
+      "orbit" ->
+        Just (Orbit (fromMaybe (XYZ 0 1 0) (vectorOf "axis")) (fromMaybe 1 (numberOf "turns")) way)
       "dolly" -> (\place -> Dolly place (vectorOf "look-at") way) <$> vectorOf "to"
-      "free-fall" -> FreeFall <$> ((ProperTimePerSecond <$> numberOf "rate") <|> (FallsTo <$> numberOf "end-distance"))
+      "free-fall" ->
+        FreeFall
+          <$> ((ProperTimePerSecond <$> numberOf "rate") <|> (FallsTo <$> numberOf "end-distance"))
       "circular-orbit" -> CircularOrbit <$> numberOf "rate"
       _ -> Nothing
 
@@ -198,15 +181,37 @@ readTracks node = case node of
     where
       found = zipWith track [0 :: Int ..] members
       track i (line, path, keys)
-        | path `elem` [p | (j, (_, p, _)) <- zip [0 ..] members, j < i] = (Nothing, [(line, Mistake label "given twice")])
+        | path `elem` [p | (j, (_, p, _)) <- zip [0 ..] members, j < i] =
+          (Nothing, [(line, Mistake label "given twice")])
         | otherwise = case findField (currentPath path) of
           Just field
             | isTrackable field -> readTrack label field keys
-            | otherwise -> (Nothing, [(line, Mistake label "cannot have keyframes; only numbers and vectors can, except the picture's size")])
-          Nothing -> (Nothing, [(line, Problem label ("'" ++ path ++ "'") ("a setting of a scene" ++ hint path))])
+            | otherwise ->
+              ( Nothing,
+                [ ( line,
+                    Mistake
+                      label
+                      "cannot have keyframes; only numbers \
+                      \and vectors can, except the picture's size"
+                  )
+                ]
+              )
+          Nothing ->
+            ( Nothing,
+              [(line, Problem label ("'" ++ path ++ "'") ("a setting of a scene" ++ hint path))]
+            )
         where
           label = within ("keyframes." ++ path)
-  _ -> ([], [(nodeLine node, Problem (within "keyframes") (nodeText node) "a group of settings, each with times and values")])
+  _ ->
+    ( [],
+      [ ( nodeLine node,
+          Problem
+            (within "keyframes")
+            (nodeText node)
+            "a group of settings, each with times and values"
+        )
+      ]
+    )
   where
     names = map fieldPath (filter isTrackable sceneFields)
     hint path = case suggestion path names of
@@ -224,24 +229,41 @@ readTrack label field node = case node of
       (options, _, formFaults) = entriesWith isTime [label] keyframeKeys [] node
       isTime = isJust . readNumber
       found = [(at, text, value) | (at, text, value) <- members, isTime text]
-      faults = formFaults ++ concat [either pure (const []) (keyOf m) | m <- found] ++ twice ++ turnFaults
+      faults =
+        formFaults ++ concat [either pure (const []) (keyOf m) | m <- found] ++ twice ++ turnFaults
       twice =
         [ (at, Mistake (label ++ "." ++ text) "given twice")
           | (i, (at, text, _)) <- zip [0 :: Int ..] found,
-            readNumber text `elem` [readNumber earlier | (j, (_, earlier, _)) <- zip [0 ..] found, j < i]
+            readNumber text
+              `elem` [readNumber earlier | (j, (_, earlier, _)) <- zip [0 ..] found, j < i]
         ]
       keys = [key | m <- found, Right key <- [keyOf m]]
       way = case lookup "interpolation" options of
-        Just (_, NameValue name) -> fromMaybe Linear (find ((== name) . interpolationName) [minBound ..])
+        Just (_, NameValue name) ->
+          fromMaybe Linear (find ((== name) . interpolationName) [minBound ..])
         _ -> Linear
       short = case lookup "shortest-turn" options of
         Just (_, SwitchValue on) -> on
         _ -> False
-      turnFaults = [(at, Mistake label "shortest-turn applies only to angles in degrees") | short, not inDegrees, Just (at, _) <- [lookup "shortest-turn" options]]
+      turnFaults =
+        [ (at, Mistake label "shortest-turn applies only to angles in degrees")
+          | short,
+            not inDegrees,
+            Just (at, _) <- [lookup "shortest-turn" options]
+        ]
       unwrapped list
         | short = zip (map fst list) (map pure (unwrapDegrees (concatMap snd list)))
         | otherwise = list
-  _ -> (Nothing, [(nodeLine node, Problem label (nodeText node) "a group of times in seconds with values, such as {0: 30, 1.5: 20}")])
+  _ ->
+    ( Nothing,
+      [ ( nodeLine node,
+          Problem
+            label
+            (nodeText node)
+            "a group of times in seconds with values, such as {0: 30, 1.5: 20}"
+        )
+      ]
+    )
   where
     inDegrees = case fieldKind field of
       NumberKind quantity -> take 7 (quantityUnit quantity) == "degrees"
@@ -250,7 +272,8 @@ readTrack label field node = case node of
       (Just time, Right v) -> case rangeFault (fieldKind field) v of
         Nothing -> Right (time, v)
         Just range -> Left (at, Problem (label ++ "." ++ text) (showValue v) range)
-      (_, Left expected) -> Left (nodeLine value, Problem (label ++ "." ++ text) (nodeText value) expected)
+      (_, Left expected) ->
+        Left (nodeLine value, Problem (label ++ "." ++ text) (nodeText value) expected)
       (Nothing, _) -> Left (at, Problem label ("'" ++ text ++ "'") "a time in seconds")
     numbers v = case v of
       NumberValue x -> [x]
@@ -267,28 +290,57 @@ within name = animationKey ++ "." ++ name
 
 -- | The members of a group: values of known keys with their lines, the nodes of the
 -- groups inside it, and the problems of the other members.
-entriesOf :: [String] -> [AnimationKey] -> [String] -> Node -> ([(String, (Int, Value))], [(String, Node)], Faults)
+entriesOf ::
+  [String] ->
+  [AnimationKey] ->
+  [String] ->
+  Node ->
+  ([(String, (Int, Value))], [(String, Node)], Faults)
 entriesOf = entriesWith (const False)
 
 -- | The same, without the keys that satisfy a predicate.
-entriesWith :: (String -> Bool) -> [String] -> [AnimationKey] -> [String] -> Node -> ([(String, (Int, Value))], [(String, Node)], Faults)
+entriesWith ::
+  (String -> Bool) ->
+  [String] ->
+  [AnimationKey] ->
+  [String] ->
+  Node ->
+  ([(String, (Int, Value))], [(String, Node)], Faults)
 entriesWith skipped above entries groups node = case node of
   Mapping _ members -> foldMap (member members) (zip [0 :: Int ..] members)
-  _ -> ([], [], [(nodeLine node, Problem (intercalate "." above) (nodeText node) ("a group of settings; the settings here are: " ++ intercalate ", " names))])
+  _ ->
+    ( [],
+      [],
+      [ ( nodeLine node,
+          Problem
+            (intercalate "." above)
+            (nodeText node)
+            ("a group of settings; the settings here are: " ++ intercalate ", " names)
+        )
+      ]
+    )
   where
     names = map keyName entries ++ groups
     member members (i, (line, key, value))
       | skipped key = ([], [], [])
-      | key `elem` [k | (j, (_, k, _)) <- zip [0 ..] members, j < i] = ([], [], [(line, Mistake (intercalate "." (above ++ [key])) "given twice")])
+      | key `elem` [k | (j, (_, k, _)) <- zip [0 ..] members, j < i] =
+        ([], [], [(line, Mistake (intercalate "." (above ++ [key])) "given twice")])
       | key `elem` groups = ([], [(key, value)], [])
       | Just entry <- find ((== key) . keyName) entries = case readNode (keyKind entry) value of
         Left expected -> wrong (nodeLine value) (nodeText value) expected
         Right v -> case rangeFault (keyKind entry) v of
           Nothing -> ([(key, (line, v))], [], [])
           Just range -> wrong line (showValue v) range
-      | otherwise = wrong line ("'" ++ key ++ "'") ("a key of " ++ intercalate "." above ++ suggestion key names ++ "; its keys are: " ++ intercalate ", " names)
+      | otherwise =
+        wrong
+          line
+          ("'" ++ key ++ "'")
+          ( "a key of " ++ intercalate "." above ++ suggestion key names ++ "; its keys are: "
+              ++ intercalate ", " names
+          )
       where
-        wrong at text range = ([], [], [(at, Problem (intercalate "." (above ++ [key])) text range)])
+        wrong at text range =
+          ([], [], [(at, Problem (intercalate "." (above ++ [key])) text range)])
 
 asNumber :: Value -> Maybe Double
 asNumber value = case value of

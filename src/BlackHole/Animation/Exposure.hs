@@ -4,6 +4,7 @@ module BlackHole.Animation.Exposure
   )
 where
 
+import BlackHole.Render.Exposed
 import BlackHole.Render.Film
 import BlackHole.Render.PixelArray (PixelArray, fromPixelVector, pixelArrayShape, toPixelVector)
 import BlackHole.Render.PixelShape

@@ -156,7 +156,9 @@ removeLeftOver store frame holder =
 -- that the process which takes over its lease can determine.
 inOneStep :: FrameStore -> String -> FilePath -> Lazy.ByteString -> IO ()
 inOneStep store name target bytes =
-  (removeIfExhausted part >> withBinaryFile part WriteMode (`Lazy.hPut` bytes) >> placePartFile part target)
+  ( removeIfExhausted part >> withBinaryFile part WriteMode (`Lazy.hPut` bytes)
+      >> placePartFile part target
+  )
     `onException` removePartFile part
   where
     part = partPath store name (leaseFolderHolder (frameStoreLeases store))

@@ -20,7 +20,7 @@ import BlackHole.Animation.Queue
 import BlackHole.Animation.Video (VideoCoding)
 import BlackHole.Animation.VideoFeed
 import BlackHole.Image.Digest
-import qualified BlackHole.Render.Film as Light
+import qualified BlackHole.Render.Exposed as Light
 import BlackHole.Render.Workers (Workers)
 import BlackHole.Scene.Scene
 import BlackHole.Trace.EnvironmentMap (EnvironmentMap)

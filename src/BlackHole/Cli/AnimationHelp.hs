@@ -6,7 +6,7 @@ module BlackHole.Cli.AnimationHelp
   )
 where
 
-import BlackHole.Animation.AnimationFile
+import BlackHole.Animation.AnimationKeys
 import Data.List (intercalate)
 
 -- | A part of a longer text.
@@ -22,7 +22,9 @@ data HelpPart
 animationHelp :: [HelpPart]
 animationHelp =
   [ Paragraph
-      "An animation is a scene file with a section animation, or an orbit around the hole by --orbit. blackhole animate renders its frames, each into its own file, and with --video makes a video file of them with ffmpeg.",
+      "An animation is a scene file with a section animation, or an orbit around the hole by \
+      \--orbit. blackhole animate renders its frames, each into its own file, and with --video \
+      \makes a video file of them with ffmpeg.",
     Verbatim
       [ "animation:",
         "  duration: 4              # seconds; or frames: 96",
@@ -50,10 +52,16 @@ animationHelp =
     Paragraph "Keys of camera-path:",
     Terms [(keyName e, keyDoc e) | e <- cameraPathKeys],
     Paragraph
-      "Under keyframes, every setting that is a number or a vector can have values at times, except the picture's size. A value holds before its first and after its last key. Further keys of such a setting:",
+      "Under keyframes, every setting that is a number or a vector can have values at times, \
+      \except the picture's size. A value holds before its first and after its last key. Further \
+      \keys of such a setting:",
     Terms [(keyName e, keyDoc e) | e <- keyframeKeys],
     Paragraph
-      "The folder of the frames gets a folder .blackhole, which records what each frame was made of and who is rendering it. A frame is rendered if it is missing, if the scene or the program has changed, or if its file is damaged; so an interrupted animation continues where it stopped, and any number of processes, on several machines too, can share a folder. --status lists what is missing. Delete .blackhole and the frames to start afresh.",
+      "The folder of the frames gets a folder .blackhole, which records what each frame was made \
+      \of and who is rendering it. A frame is rendered if it is missing, if the scene or the \
+      \program has changed, or if its file is damaged; so an interrupted animation continues where \
+      \it stopped, and any number of processes, on several machines too, can share a folder. \
+      \--status lists what is missing. Delete .blackhole and the frames to start afresh.",
     Paragraph "With --shard slurm, every task of a Slurm array job renders its part of the frames."
   ]
   where

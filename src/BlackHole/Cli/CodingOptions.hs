@@ -17,7 +17,8 @@ codingOptions =
           wholeNumber
           ( long "bits" <> metavar "N"
               <> help
-                "Bits per colour channel: 8 or 16 for PNG, 16 or 32 for TIFF and OpenEXR (default: the smaller)"
+                "Bits per colour channel: 8 or 16 for PNG, 16 or 32 for TIFF and OpenEXR (default: \
+                \the smaller)"
           )
       )
     <*> setting

@@ -15,7 +15,7 @@ import BlackHole.Scene.Scene
 import BlackHole.Scene.Shifts
 import BlackHole.Scene.Validate (Problem (..))
 import BlackHole.Spacetime.Fate (Fate (..), fateName)
-import BlackHole.Spacetime.Observer (observerName)
+import BlackHole.Spacetime.Observer (Constants (..), observerName)
 import BlackHole.Spacetime.PlaneCrossing (PlaneCrossing (..))
 import BlackHole.Spacetime.Types (spacetimeCriticalImpact)
 import BlackHole.Trace.Explain
@@ -95,7 +95,8 @@ sightRows scene sighting =
                (show (arrivalSteps light) ++ " (" ++ integratorName (sceneIntegrator scene) ++ ")"),
              Line "",
              Line
-               "crossings of the disk's plane, from the camera onwards (g: observed / emitted frequency of gas there)"
+               "crossings of the disk's plane, from the camera onwards (g: observed / emitted \
+               \frequency of gas there)"
            ]
         ++ crossingRows scene (arrivalCrossings light)
         ++ [ Line "",
@@ -113,7 +114,11 @@ sightRows scene sighting =
         [ field "angular momentum lambda" [decimal lambda],
           field "Carter's constant Q" [decimal carter]
         ]
-    critical = maybe "" (\b -> "  (critical: " ++ decimal b ++ ")") (spacetimeCriticalImpact (sceneSpacetime scene))
+    critical =
+      maybe
+        ""
+        (\b -> "  (critical: " ++ decimal b ++ ")")
+        (spacetimeCriticalImpact (sceneSpacetime scene))
     fateText fate = case fate of
       Escaped direction -> fateName fate ++ " to the sky at " ++ unwords (vector direction)
       Captured -> fateName fate ++ " by the hole"

@@ -37,9 +37,16 @@ replyJson reply = case reply of
       [ ("input", Whole input),
         ("preset", Text preset),
         ("values", valuesJson scene),
-        ("idle", Object [(fieldPath f, Text (needed condition)) | f <- sceneFields, Just condition <- [unmetCondition scene (fieldPath f)]])
+        ( "idle",
+          Object
+            [ (fieldPath f, Text (needed condition))
+              | f <- sceneFields,
+                Just condition <- [unmetCondition scene (fieldPath f)]
+            ]
+        )
       ]
-  Refused input problems -> kind "refused" [("input", maybe Null Whole input), ("lines", texts problems)]
+  Refused input problems ->
+    kind "refused" [("input", maybe Null Whole input), ("lines", texts problems)]
   PixelIs scene explanation path ->
     let (x, y) = explainedPixel explanation
      in kind
@@ -52,7 +59,8 @@ replyJson reply = case reply of
             ("horizon", Number (horizon (sceneSpacetime scene))),
             ("disk", maybe Null diskShape (sceneDisk scene))
           ]
-  CommandIs (Options arguments) -> kind "command" [("command", Text (unwords ("blackhole render" : map shellWord arguments)))]
+  CommandIs (Options arguments) ->
+    kind "command" [("command", Text (unwords ("blackhole render" : map shellWord arguments)))]
   CommandIs (NeedsFile paths) -> kind "command" [("command", Null), ("settings", texts paths)]
   Saved name -> kind "saved" [("file", Text name)]
   Exists name -> kind "exists" [("file", Text name)]
@@ -61,9 +69,11 @@ replyJson reply = case reply of
   JobIs job -> kind "job" $ case job of
     NoJob -> [("state", Text "none")]
     JobRuns name done -> [("state", Text "runs"), ("file", Text name), ("done", Number done)]
-    JobDone name seconds -> [("state", Text "done"), ("file", Text name), ("seconds", Number seconds)]
+    JobDone name seconds ->
+      [("state", Text "done"), ("file", Text name), ("seconds", Number seconds)]
     JobStopped name -> [("state", Text "stopped"), ("file", Text name)]
-    JobFailed name problem -> [("state", Text "failed"), ("file", Text name), ("problem", Text problem)]
+    JobFailed name problem ->
+      [("state", Text "failed"), ("file", Text name), ("problem", Text problem)]
   where
     kind name members = Object (("type", Text name) : members)
     texts = List . map Text
@@ -72,7 +82,15 @@ replyJson reply = case reply of
     horizon space = case space of
       Kerr hole -> horizonRadius hole
       _ -> 1
-    diskShape disk = Object [("inner", Number (diskInnerRadius disk)), ("outer", Number (diskOuterRadius disk)), ("thickness", List [Number (diskThicknessAt disk r) | r <- [diskInnerRadius disk, diskOuterRadius disk]])]
+    diskShape disk =
+      Object
+        [ ("inner", Number (diskInnerRadius disk)),
+          ("outer", Number (diskOuterRadius disk)),
+          ( "thickness",
+            List
+              [Number (diskThicknessAt disk r) | r <- [diskInnerRadius disk, diskOuterRadius disk]]
+          )
+        ]
 
 -- | What does not change: every setting with its topic, kind, range, slider and
 -- documentation, the presets, and the choices of the animation and of file formats.
@@ -82,14 +100,24 @@ tableJson =
     [ ("software", Text software),
       ("topics", List [Text (topicName topic) | topic <- [minBound .. maxBound]]),
       ("settings", List (map settingJson sceneFields)),
-      ("presets", List [Object [("name", Text (presetName p)), ("shows", Text (presetShows p)), ("values", valuesJson (presetScene p))] | p <- describedPresets]),
+      ( "presets",
+        List
+          [ Object
+              [ ("name", Text (presetName p)),
+                ("shows", Text (presetShows p)),
+                ("values", valuesJson (presetScene p))
+              ]
+            | p <- describedPresets
+          ]
+      ),
       ("interpolations", List [Text name | (name, _) <- interpolations]),
       ("extensions", List [Text extension | (extension, _) <- formatExtensions])
     ]
 
 -- | The values of a scene by path, as text.
 valuesJson :: Scene -> Json
-valuesJson scene = Object [(fieldPath f, Text (valueText v)) | f <- sceneFields, Just v <- [fieldGet f scene]]
+valuesJson scene =
+  Object [(fieldPath f, Text (valueText v)) | f <- sceneFields, Just v <- [fieldGet f scene]]
 
 settingJson :: Field -> Json
 settingJson f =
@@ -106,19 +134,26 @@ settingJson f =
 -- | The words of a path behind its group: @noise frequency@ of
 -- @disk.arms.noise-frequency@, with @arms@ before it.
 settingName :: Field -> String
-settingName f = map (\c -> if c == '-' then ' ' else c) (unwords (drop 1 (splitOn '.' (fieldPath f))))
+settingName f =
+  map (\c -> if c == '-' then ' ' else c) (unwords (drop 1 (splitOn '.' (fieldPath f))))
 
 kindMembers :: Kind -> [(String, Json)]
 kindMembers kind = case kind of
-  NumberKind quantity -> [("kind", Text "number"), ("unit", Text (quantityUnit quantity))] ++ least (quantityLeast quantity) ++ most (quantityMost quantity)
-  WholeKind low high unit -> [("kind", Text "whole"), ("unit", Text unit), ("least", Whole low), ("most", Whole high)]
+  NumberKind quantity ->
+    [("kind", Text "number"), ("unit", Text (quantityUnit quantity))]
+      ++ least (quantityLeast quantity)
+      ++ most (quantityMost quantity)
+  WholeKind low high unit ->
+    [("kind", Text "whole"), ("unit", Text unit), ("least", Whole low), ("most", Whole high)]
   SeedKind -> [("kind", Text "seed")]
   SwitchKind -> [("kind", Text "switch")]
   ChoiceKind _ choices -> [("kind", Text "choice"), ("choices", choicesJson choices)]
-  ChoiceOrFileKind _ choices file -> [("kind", Text "choice-or-file"), ("choices", choicesJson choices), ("file", Text file)]
+  ChoiceOrFileKind _ choices file ->
+    [("kind", Text "choice-or-file"), ("choices", choicesJson choices), ("file", Text file)]
   VectorKind -> [("kind", Text "vector")]
   where
-    choicesJson choices = List [Object [("name", Text name), ("meaning", Text meaning)] | (name, meaning) <- choices]
+    choicesJson choices =
+      List [Object [("name", Text name), ("meaning", Text meaning)] | (name, meaning) <- choices]
     least end = case end of
       Anything -> []
       From v -> [("least", Number v)]
@@ -129,5 +164,8 @@ kindMembers kind = case kind of
       Below v -> [("most", Number v), ("below", Truth True)]
 
 sliderJson :: Slider -> Json
-sliderJson (Straight low high) = Object [("scale", Text "linear"), ("low", Number low), ("high", Number high), ("zero", Truth False)]
-sliderJson (Logarithmic low high zero) = Object [("scale", Text "log"), ("low", Number low), ("high", Number high), ("zero", Truth zero)]
+sliderJson (Straight low high) =
+  Object
+    [("scale", Text "linear"), ("low", Number low), ("high", Number high), ("zero", Truth False)]
+sliderJson (Logarithmic low high zero) =
+  Object [("scale", Text "log"), ("low", Number low), ("high", Number high), ("zero", Truth zero)]

@@ -3,6 +3,7 @@ module BlackHole.Cli.ManualPage (manualPage) where
 
 import BlackHole.Cli.AnimationHelp
 import BlackHole.Cli.Help
+import BlackHole.Cli.Topics
 import BlackHole.Scene.Field.Field
 import BlackHole.Scene.Field.Table (sceneFields)
 import BlackHole.Scene.Preset (Preset (..), describedPresets)
@@ -20,17 +21,21 @@ manualPage version commands =
       "\\fICOMMAND\\fR [\\fIOPTION\\fR...]",
       ".SH DESCRIPTION",
       roff
-        "Traces light backwards from a camera through the curved space around a black hole, rotating or not: a disk of glowing gas, the sky behind it, and the hole's shadow.",
+        "Traces light backwards from a camera through the curved space around a black hole, \
+        \rotating or not: a disk of glowing gas, the sky behind it, and the hole's shadow.",
       roff "Equal scenes give equal bytes for any number of threads.",
       roff
-        "Lengths are in Schwarzschild radii (r_s), times in r_s/c, and angles in degrees unless stated otherwise.",
+        "Lengths are in Schwarzschild radii (r_s), times in r_s/c, and angles in degrees unless \
+        \stated otherwise.",
       roff "If an option is given more than once, the last one counts.",
       ".SH COMMANDS"
     ]
       ++ concatMap commandPart commands
       ++ [ ".SH SCENE FILES",
            roff
-             "A scene file is YAML with the settings below, and preset: NAME to start from a preset. The options of render set the settings named in brackets. blackhole scene show default prints a complete scene file."
+             "A scene file is YAML with the settings below, and preset: NAME to start from a \
+             \preset. The options of render set the settings named in brackets. blackhole scene \
+             \show default prints a complete scene file."
          ]
       ++ concat
         [ (".SS " ++ topicName topic) :

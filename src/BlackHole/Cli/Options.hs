@@ -11,7 +11,7 @@ module BlackHole.Cli.Options
 where
 
 import BlackHole.Cli.Animate.Options (AnimateOptions, animateOptions)
-import BlackHole.Cli.Explore (ExploreOptions, exploreOptions)
+import BlackHole.Cli.Explore.Options (ExploreOptions, exploreOptions)
 import BlackHole.Cli.Help
 import BlackHole.Cli.Join (JoinOptions, joinOptions)
 import BlackHole.Cli.ManualPage (manualPage)
@@ -20,6 +20,7 @@ import BlackHole.Cli.Rays (RaysOptions, raysOptions)
 import BlackHole.Cli.Render.Options (RenderOptions, renderOptions)
 import BlackHole.Cli.SceneCommand (SceneCommand, sceneCommands)
 import BlackHole.Cli.SelfTest (SelfTestOptions, selfTestOptions)
+import BlackHole.Cli.Topics
 import Data.List (dropWhileEnd, find)
 import Data.Maybe (mapMaybe)
 import Options.Applicative
@@ -149,19 +150,30 @@ described =
   [ describe
       "render"
       "Render one picture."
-      "It shows the default scene, a preset, a scene file, or the scene stored in a picture. Options override the settings of that scene."
+      "It shows the default scene, a preset, a scene file, or the scene stored in a picture. \
+      \Options override the settings of that scene."
       ["blackhole render --width 1280 --inclination 75 --fov 40 -o hole.png"]
       (Task . Render <$> renderOptions),
     describe
       "explore"
       "Fly around the hole in a live view in the browser."
-      "Serves a page on this machine alone and prints its address, which contains a secret token. The picture there is traced by the code of render: drag it to orbit, turn the wheel to come nearer, change any setting, look at single pixels, set keyframes, and take the result home as a command line, a scene file, an animation or a picture. Files go to the folder in which the program was started."
-      ["blackhole explore", "blackhole explore --preset kerr", "blackhole explore mine.yaml --port 8000 --no-open"]
+      "Serves a page on this machine alone and prints its address, which contains a secret token. \
+      \The picture there is traced by the code of render: drag it to orbit, turn the wheel to come \
+      \nearer, change any setting, look at single pixels, set keyframes, and take the result home \
+      \as a command line, a scene file, an animation or a picture. Files go to the folder in which \
+      \the program was started."
+      [ "blackhole explore",
+        "blackhole explore --preset kerr",
+        "blackhole explore mine.yaml --port 8000 --no-open"
+      ]
       (Task . Explore <$> exploreOptions),
     describe
       "animate"
       "Render the frames of an animation."
-      "The animation is a scene file with a section animation (see: blackhole help animation), or an orbit around the hole in any scene (--orbit). Renders only frames that are missing, outdated or damaged, so an interrupted animation continues where it stopped. Several processes can share the work."
+      "The animation is a scene file with a section animation (see: blackhole help animation), or \
+      \an orbit around the hole in any scene (--orbit). Renders only frames that are missing, \
+      \outdated or damaged, so an interrupted animation continues where it stopped. Several \
+      \processes can share the work."
       [ "blackhole animate --preset luminet --orbit 360 --duration 4 -o frames/%05d.png",
         "blackhole animate scenes/orbit.yaml -o frames/%05d.png --video orbit.mp4"
       ]
@@ -181,7 +193,8 @@ described =
     describe
       "photon"
       "Report on one light path."
-      "The path is that of light from infinity (--impact), or the line of sight of a camera at rest (--psi). The report gives lengths in Schwarzschild radii (r_s) and angles in radians."
+      "The path is that of light from infinity (--impact), or the line of sight of a camera at \
+      \rest (--psi). The report gives lengths in Schwarzschild radii (r_s) and angles in radians."
       ["blackhole photon --psi 10", "blackhole photon --impact 2.65 --json"]
       (Task . Photon <$> photonOptions),
     describe
@@ -199,7 +212,8 @@ described =
     describe
       "help"
       "Explain a command or a topic."
-      "Without an argument, lists the commands and topics. blackhole help man prints the manual page."
+      "Without an argument, lists the commands and topics. blackhole help man prints the manual \
+      \page."
       ["blackhole help render", "blackhole help scene check", "blackhole help camera"]
       ( HelpOn
           <$> many

@@ -17,6 +17,7 @@ import BlackHole.Cli.Json (showDouble)
 import BlackHole.Cli.Read
 import BlackHole.Figure.Raster (rasterise)
 import BlackHole.Figure.RayFan
+import BlackHole.Figure.RayFanFigure
 import BlackHole.Figure.Svg (renderSvg)
 import BlackHole.Image.AtomicFile
 import BlackHole.Image.Metadata (software)
@@ -53,7 +54,8 @@ raysOptions =
           wholeNumber
           ( long "rays" <> metavar "N"
               <> help
-                ( "Number of rays, 1 to 1001; with 8 or more, four of them wind around the hole (default: "
+                ( "Number of rays, 1 to 1001; with 8 or more, four of them wind around the hole \
+                  \(default: "
                     ++ show (fanRays defaultRayFan)
                     ++ ")"
                 )
@@ -84,7 +86,9 @@ raysOptions =
       ( option
           number
           ( long "spin" <> metavar "A"
-              <> help "Spin of the hole, above -1 and below 1: the rays lie in the equatorial plane, and a positive spin turns anticlockwise (default: 0)"
+              <> help
+                "Spin of the hole, above -1 and below 1: the rays lie in the equatorial \
+                \plane, and a positive spin turns anticlockwise (default: 0)"
           )
       )
     <*> settingOr

@@ -4,7 +4,7 @@ module BlackHole.Cli.Run (run) where
 import BlackHole.Cli.Animate.Animate (animate)
 import BlackHole.Cli.Console (message, say)
 import BlackHole.Cli.ExitStatus
-import BlackHole.Cli.Explore (explore)
+import BlackHole.Cli.Explore.Explore (explore)
 import BlackHole.Cli.Help (CommandHelp (commandName))
 import BlackHole.Cli.Join (join)
 import BlackHole.Cli.Options

@@ -34,7 +34,8 @@ reporting =
           (named "a way to report progress" modes)
           ( long "progress" <> metavar "HOW" <> completeWith (map fst modes)
               <> help
-                "Progress on standard error: auto (a bar on a terminal, otherwise lines), bar, lines, json (one object per line) or none (default: auto)"
+                "Progress on standard error: auto (a bar on a terminal, otherwise lines), bar, \
+                \lines, json (one object per line) or none (default: auto)"
           )
       )
     <*> toggle (long "quiet" <> short 'q' <> help "Report neither progress nor success")

@@ -53,7 +53,8 @@ sceneCommands =
     ),
     ( "check",
       "Report every mistake in a scene file.",
-      "Each mistake is one line with the file, the line number, the setting, its value and the allowed range. The exit code is 3 if there are any.",
+      "Each mistake is one line with the file, the line number, the setting, its value and the \
+      \allowed range. The exit code is 3 if there are any.",
       ["blackhole scene check mine.yaml"],
       CheckScene
         <$> strArgument (metavar "SCENE.yaml" <> filesEnding [".yaml", ".yml"] <> help "Scene file")

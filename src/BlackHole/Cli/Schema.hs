@@ -6,6 +6,7 @@ module BlackHole.Cli.Schema
 where
 
 import BlackHole.Animation.AnimationFile
+import BlackHole.Animation.AnimationKeys
 import BlackHole.Cli.Json
 import BlackHole.Scene.Field.Field
 import BlackHole.Scene.Field.Kind

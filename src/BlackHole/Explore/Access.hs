@@ -34,18 +34,22 @@ data Access = Access
 
 -- | A new token from the system's random generator.
 newToken :: IO Bytes.ByteString
-newToken = Lazy.toStrict . Builder.toLazyByteString . Builder.byteStringHex <$> withBinaryFile "/dev/urandom" ReadMode (`Bytes.hGet` 16)
+newToken =
+  Lazy.toStrict . Builder.toLazyByteString . Builder.byteStringHex
+    <$> withBinaryFile "/dev/urandom" ReadMode (`Bytes.hGet` 16)
 
 -- | The address of the page.
 pageAddress :: Access -> String
-pageAddress access = "http://127.0.0.1:" ++ show (accessPort access) ++ "/" ++ Char8.unpack (accessToken access) ++ "/"
+pageAddress access =
+  "http://127.0.0.1:" ++ show (accessPort access) ++ "/" ++ Char8.unpack (accessToken access) ++ "/"
 
 -- | The rest of a request's path behind the token, or why it is refused.
 admitted :: Access -> Asked -> Either Answer Bytes.ByteString
 admitted access asked
   | not (ownHost access asked) = Left Forbidden
   | maybe False (`notElem` ownOrigins access) (askedOrigin asked) = Left Forbidden
-  | Just rest <- behindToken access (askedPath asked) = if askedMethod asked `elem` ["GET", "HEAD"] then Right rest else Left WrongMethod
+  | Just rest <- behindToken access (askedPath asked) =
+    if askedMethod asked `elem` ["GET", "HEAD"] then Right rest else Left WrongMethod
   | otherwise = Left Forbidden
 
 -- | Whether a page may open a WebSocket.
@@ -59,7 +63,8 @@ ownHost :: Access -> Asked -> Bool
 ownHost access asked = maybe False (`elem` ownNames access) (askedHost asked)
 
 ownNames :: Access -> [Bytes.ByteString]
-ownNames access = [name <> ":" <> Char8.pack (show (accessPort access)) | name <- ["127.0.0.1", "localhost"]]
+ownNames access =
+  [name <> ":" <> Char8.pack (show (accessPort access)) | name <- ["127.0.0.1", "localhost"]]
 
 ownOrigins :: Access -> [Bytes.ByteString]
 ownOrigins access = map ("http://" <>) (ownNames access)
@@ -68,7 +73,9 @@ ownOrigins access = map ("http://" <>) (ownNames access)
 -- of the right length.
 behindToken :: Access -> Bytes.ByteString -> Maybe Bytes.ByteString
 behindToken access path
-  | Bytes.length given == Bytes.length token, foldr (.|.) 0 (Bytes.zipWith xor given token) == 0 = Just rest
+  | Bytes.length given == Bytes.length token,
+    foldr (.|.) 0 (Bytes.zipWith xor given token) == 0 =
+    Just rest
   | otherwise = Nothing
   where
     token = "/" <> accessToken access <> "/"

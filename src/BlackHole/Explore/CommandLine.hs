@@ -32,12 +32,16 @@ commandLine :: String -> Scene -> CommandLine
 commandLine presetName' scene = case mapMaybe unspeakable needed of
   paths@(_ : _) -> NeedsFile paths
   []
-    | resolveRequest (Request (Just presetName') Nothing "." needed) == Right scene -> Options (preset ++ concat (mapMaybe optionWords needed))
+    | resolveRequest (Request (Just presetName') Nothing "." needed) == Right scene ->
+      Options (preset ++ concat (mapMaybe optionWords needed))
     | otherwise -> NeedsFile []
   where
     base = fromMaybe defaultScene (findPreset presetName')
     preset = if presetName' == "default" then [] else ["--preset", presetName']
-    different = [Setting (fieldPath f) v | f <- sceneFields, Just v <- [fieldGet f scene], fieldGet f base /= Just v]
+    different =
+      [ Setting (fieldPath f) v | f <- sceneFields, Just v <- [fieldGet f scene], fieldGet f base
+                                                                                    /= Just v
+      ]
     needed = foldl without different different
     -- Some settings follow from others, like the height from the width.
     without settings s

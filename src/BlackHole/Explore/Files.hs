@@ -20,8 +20,12 @@ nameFault extensions name
   | null name = Just "a file needs a name"
   | not (null (drop 200 name)) = Just "the name is longer than 200 characters"
   | any (\c -> c `elem` "/\\" || isControl c) name || take 1 name == "." || take 1 name == "-" =
-    Just (quoted ++ " is not a plain name; files go to the folder in which blackhole explore was started")
-  | map toLower (takeExtension name) `notElem` extensions = Just (quoted ++ " does not end in " ++ intercalate ", " extensions)
+    Just
+      ( quoted
+          ++ " is not a plain name; files go to the folder in which blackhole explore was started"
+      )
+  | map toLower (takeExtension name) `notElem` extensions =
+    Just (quoted ++ " does not end in " ++ intercalate ", " extensions)
   | otherwise = Nothing
   where
     quoted = "'" ++ name ++ "'"
@@ -35,7 +39,10 @@ writableFile extensions how name = case nameFault extensions name of
   Nothing -> do
     link <- either (const False :: IOException -> Bool) id <$> try (pathIsSymbolicLink name)
     exists <- doesPathExist name
-    pure $ if link then Left ("'" ++ name ++ "' is a link, which may lead out of this folder") else Right (how == ReplaceFile || not exists)
+    pure $
+      if link
+        then Left ("'" ++ name ++ "' is a link, which may lead out of this folder")
+        else Right (how == ReplaceFile || not exists)
 
 -- | Whether a page may name a file to read: one in this folder or below it, also after
 -- all links.
@@ -44,4 +51,9 @@ readableFile name
   | isAbsolute name || ".." `elem` splitDirectories name = pure False
   | otherwise = do
     outcome <- try ((,) <$> canonicalizePath "." <*> canonicalizePath name)
-    pure (either (const False :: IOException -> Bool) (\(here, there) -> splitDirectories here `isPrefixOf` splitDirectories there) outcome)
+    pure
+      ( either
+          (const False :: IOException -> Bool)
+          (\(here, there) -> splitDirectories here `isPrefixOf` splitDirectories there)
+          outcome
+      )

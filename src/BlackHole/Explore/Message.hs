@@ -71,29 +71,50 @@ maximumWindowSide = 7680
 parseMessage :: Bytes.ByteString -> Either (Maybe Input, String) Message
 parseMessage bytes = case lines (Text.unpack (Text.decodeUtf8With Text.lenientDecode bytes)) of
   [] -> Left (Nothing, "an empty message")
-  first : rest -> either (Left . (,) (numbered (splitOn ' ' first))) Right (messageOf (splitOn ' ' first) rest)
+  first : rest ->
+    either (Left . (,) (numbered (splitOn ' ' first))) Right (messageOf (splitOn ' ' first) rest)
   where
     numbered line = case line of
-      word : n : _ | word `elem` ["change", "restore", "preset", "orbit", "approach", "look", "roll", "face", "scrub"], Right input <- count n -> Just input
+      word : n : _
+        | word
+            `elem` [ "change",
+                     "restore",
+                     "preset",
+                     "orbit",
+                     "approach",
+                     "look",
+                     "roll",
+                     "face",
+                     "scrub"
+                   ],
+          Right input <- count n ->
+          Just input
       _ -> Nothing
 
 -- | The message of the words of the first line, and of the other lines.
 messageOf :: [String] -> [String] -> Either String Message
 messageOf first rest = case first of
-  ["window", w, h] -> Window <$> wholeWithin 1 maximumWindowSide w <*> wholeWithin 1 maximumWindowSide h <* none
+  ["window", w, h] ->
+    Window <$> wholeWithin 1 maximumWindowSide w <*> wholeWithin 1 maximumWindowSide h <* none
   ["drawn", n] -> Drawn <$> count n <* none
   ["change", n] -> Change <$> count n <*> settings rest
   ["restore", n, preset] -> Restore <$> count n <*> pure preset <*> settings rest
   ["preset", n, name] -> LoadPreset <$> count n <*> pure name <* none
-  ["orbit", n, azimuth, inclination] -> steering n (OrbitHole <$> within (-3600) 3600 azimuth <*> within (-3600) 3600 inclination)
+  ["orbit", n, azimuth, inclination] ->
+    steering n (OrbitHole <$> within (-3600) 3600 azimuth <*> within (-3600) 3600 inclination)
   ["approach", n, factor] -> steering n (Approach <$> within 0.01 100 factor)
-  ["look", n, right, up] -> steering n (LookAround <$> within (-3600) 3600 right <*> within (-3600) 3600 up)
+  ["look", n, right, up] ->
+    steering n (LookAround <$> within (-3600) 3600 right <*> within (-3600) 3600 up)
   ["roll", n, angle] -> steering n (RollBy <$> within (-3600) 3600 angle)
   ["face", n] -> steering n (Right FaceHole)
   ["inspect", x, y] -> Inspect <$> within 0 1 x <*> within 0 1 y <* none
   ["command"] -> AskCommand <$ none
   "save-scene" : how : name -> SaveScene <$> overwriting how <*> fileName name <* none
-  ["animation", duration, rate, way] -> DefineAnimation <$> (Timeline <$> within 0.01 3600 duration <*> within 0.1 240 rate <*> interpolation way <*> keys rest)
+  ["animation", duration, rate, way] ->
+    DefineAnimation
+      <$> ( Timeline <$> within 0.01 3600 duration <*> within 0.1 240 rate <*> interpolation way
+              <*> keys rest
+          )
   "save-animation" : how : name -> SaveAnimation <$> overwriting how <*> fileName name <* none
   ["scrub", n, seconds] -> Scrub <$> count n <*> within 0 3600 seconds <* none
   "render" : how : name -> RenderFile <$> overwriting how <*> fileName name <* none
@@ -110,7 +131,8 @@ messageOf first rest = case first of
     fileName name = case unwords name of
       "" -> Left "a file needs a name"
       text -> Right text
-    interpolation way = maybe (Left ("no interpolation: " ++ shown way)) Right (lookup way interpolations)
+    interpolation way =
+      maybe (Left ("no interpolation: " ++ shown way)) Right (lookup way interpolations)
 
 -- | Numbers of frames and inputs.
 count :: String -> Either String Int

@@ -35,7 +35,8 @@ smallestMoving = 2304
 -- | The pace after a picture with a number of pixels that took a number of seconds. The size
 -- changes only by steps of an eighth, so that it does not flicker.
 paced :: Int -> Double -> Pace -> Pace
-paced pixels seconds (Pace before chosen) = Pace cost (if wanted > 1.2 * chosen || wanted < chosen / 1.15 then wanted else chosen)
+paced pixels seconds (Pace before chosen) =
+  Pace cost (if wanted > 1.2 * chosen || wanted < chosen / 1.15 then wanted else chosen)
   where
     cost = 0.7 * before + 0.3 * (seconds / fromIntegral (max 1 pixels))
     wanted = targetSeconds / cost

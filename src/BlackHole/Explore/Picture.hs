@@ -18,6 +18,7 @@ import BlackHole.Image.Metadata
 import BlackHole.Image.Write
 import BlackHole.Light.Display (ToneMap (..))
 import BlackHole.Light.Dither (Dither (..))
+import BlackHole.Render.Exposed
 import BlackHole.Render.Film
 import BlackHole.Render.Optics
 import BlackHole.Render.PixelArray
@@ -46,14 +47,22 @@ data Renderer = Renderer
 -- | A scene with one ray per pixel, at a size. The table of light paths shows the paths
 -- of the other integrators, and far sooner. One ray through a wide lens would show noise.
 movingScene :: Picture -> Scene -> Scene
-movingScene size scene = scene {scenePicture = size, sceneSamples = 1, sceneIntegrator = Tabulated, sceneAperture = 0}
+movingScene size scene =
+  scene {scenePicture = size, sceneSamples = 1, sceneIntegrator = Tabulated, sceneAperture = 0}
 
 -- | The film of a scene, with the tracer that made it. Takes over the tables of an
 -- earlier tracer where they are equal ('tracerAfter').
 drafted :: Renderer -> Maybe EnvironmentMap -> Maybe Tracer -> Scene -> IO (Maybe (Tracer, Film))
-drafted renderer sky before scene = case maybe (tracerWithSky sky scene) (\earlier -> tracerAfter earlier sky scene) before of
-  Nothing -> pure Nothing
-  Just traced -> fmap ((,) traced . exposedLight) <$> exposeTraced traced (rendererWorkers renderer) (const (pure ())) (0, pictureHeight (scenePicture scene))
+drafted renderer sky before scene =
+  case maybe (tracerWithSky sky scene) (\earlier -> tracerAfter earlier sky scene) before of
+    Nothing -> pure Nothing
+    Just traced ->
+      fmap ((,) traced . exposedLight)
+        <$> exposeTraced
+          traced
+          (rendererWorkers renderer)
+          (const (pure ()))
+          (0, pictureHeight (scenePicture scene))
 
 -- | A scene without what only the development of its film depends on. The exposure is
 -- kept: it decides which pixels get more rays.
@@ -87,23 +96,32 @@ quickly renderer quality scene film = do
 -- After each band of rows the callback receives the finished fraction and the picture so
 -- far: the finished rows, and below them those of an earlier film of the same size.
 -- Every number equals that of 'exposeFilm'.
-completed :: Renderer -> Maybe EnvironmentMap -> Scene -> Film -> (Double -> Film -> IO ()) -> IO (Maybe Exposed)
-completed renderer sky scene earlier progress = case (tracerWithSky sky scene, pixelShape width height 3, pixelShape width height 1) of
-  (Just traced, Just shape, Just countShape) -> do
-    _ <- mapShared workers pure (tracerTables traced)
-    let go _ [] done = pure (assemble shape countShape (reverse done))
-        go finished ((first, count) : rest) done = do
-          band <- exposeTraced traced workers (const (pure ())) (first, count)
-          case band of
-            Nothing -> pure Nothing
-            Just exposed -> do
-              let finished' = finished ++ [toPixelVector (exposedLight exposed)]
-                  rows = first + count
-                  below = Vector.drop (rows * shapeRowLength shape) (toPixelVector earlier)
-              mapM_ (progress (fromIntegral rows / fromIntegral height)) (fromPixelVector shape (Vector.concat (finished' ++ [below])))
-              go finished' rest (exposed : done)
-    go [] bands []
-  _ -> pure Nothing
+completed ::
+  Renderer ->
+  Maybe EnvironmentMap ->
+  Scene ->
+  Film ->
+  (Double -> Film -> IO ()) ->
+  IO (Maybe Exposed)
+completed renderer sky scene earlier progress =
+  case (tracerWithSky sky scene, pixelShape width height 3, pixelShape width height 1) of
+    (Just traced, Just shape, Just countShape) -> do
+      _ <- mapShared workers pure (tracerTables traced)
+      let go _ [] done = pure (assemble shape countShape (reverse done))
+          go finished ((first, count) : rest) done = do
+            band <- exposeTraced traced workers (const (pure ())) (first, count)
+            case band of
+              Nothing -> pure Nothing
+              Just exposed -> do
+                let finished' = finished ++ [toPixelVector (exposedLight exposed)]
+                    rows = first + count
+                    below = Vector.drop (rows * shapeRowLength shape) (toPixelVector earlier)
+                mapM_
+                  (progress (fromIntegral rows / fromIntegral height))
+                  (fromPixelVector shape (Vector.concat (finished' ++ [below])))
+                go finished' rest (exposed : done)
+      go [] bands []
+    _ -> pure Nothing
   where
     workers = rendererWorkers renderer
     Picture width height = scenePicture scene
@@ -111,7 +129,9 @@ completed renderer sky scene earlier progress = case (tracerWithSky sky scene, p
     bands = [(from, min bandRows (height - from)) | from <- [0, bandRows .. height - 1]]
     assemble shape countShape done = do
       light <- fromPixelVector shape (Vector.concat (map (toPixelVector . exposedLight) done))
-      counts <- traverse (fmap toPixelVector . exposedCounts) done `orNothing` (fromPixelVector countShape . Vector.concat)
+      counts <-
+        traverse (fmap toPixelVector . exposedCounts) done
+          `orNothing` (fromPixelVector countShape . Vector.concat)
       pure (Exposed light counts)
     -- Without numbers, every pixel has the scene's.
     orNothing Nothing _ = Just Nothing
@@ -119,7 +139,8 @@ completed renderer sky scene earlier progress = case (tracerWithSky sky scene, p
 
 -- | The PNG file of a film: the bytes that @render@ writes.
 finishedPng :: Renderer -> Scene -> Exposed -> IO (Maybe Lazy.ByteString)
-finishedPng renderer scene = pictureBytes (rendererWorkers renderer) software Png defaultCoding (scene :| [])
+finishedPng renderer scene =
+  pictureBytes (rendererWorkers renderer) software Png defaultCoding (scene :| [])
 
 -- | A small JPEG of a scene, 240 pixels wide, with one worker.
 thumbnail :: Renderer -> Scene -> IO (Maybe Lazy.ByteString)

@@ -16,6 +16,7 @@ import BlackHole.Image.Coding
 import BlackHole.Image.Destination
 import BlackHole.Image.Metadata (software)
 import BlackHole.Image.Write
+import BlackHole.Render.Exposed
 import BlackHole.Render.Film
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Preset
@@ -90,7 +91,8 @@ startJob state scene format name = do
         Right end -> end
         Left failure
           | Just AsyncCancelled <- fromException failure -> JobStopped name
-          | otherwise -> JobFailed name (unwords (lines (displayException (failure :: SomeException))))
+          | otherwise ->
+            JobFailed name (unwords (lines (displayException (failure :: SomeException))))
     atomically (writeTVar (stateWorker state) (Just worker))
   pure free
   where
@@ -106,12 +108,33 @@ startJob state scene format name = do
         (Just problem, _) -> failed problem
         (_, Left problem) -> failed problem
         (Nothing, Right picture) -> do
-          exposed <- exposeFilm picture (rendererWorkers renderer) (\done -> atomically (writeTVar jobState (JobRuns name (fromIntegral done / fromIntegral rows)))) scene (0, rows)
+          exposed <-
+            exposeFilm
+              picture
+              (rendererWorkers renderer)
+              ( \done ->
+                  atomically
+                    (writeTVar jobState (JobRuns name (fromIntegral done / fromIntegral rows)))
+              )
+              scene
+              (0, rows)
           case exposed of
             Nothing -> failed "the scene cannot be traced"
-            Just light -> case pictureEncoder (rendererWorkers renderer) software format defaultCoding (scene :| []) (pure . countsRow scene light) of
+            Just light -> case pictureEncoder
+              (rendererWorkers renderer)
+              software
+              format
+              defaultCoding
+              (scene :| [])
+              (pure . countsRow scene light) of
               Nothing -> failed "the picture is too large for this format"
               Just write -> do
-                written <- writeAtomically name (toHandle >=> write (pure . filmRows (exposedLight light)))
+                written <-
+                  writeAtomically name (toHandle >=> write (pure . filmRows (exposedLight light)))
                 end <- getMonotonicTime
-                pure (either (JobFailed name . renderWriteProblem) (const (JobDone name (end - start))) written)
+                pure
+                  ( either
+                      (JobFailed name . renderWriteProblem)
+                      (const (JobDone name (end - start)))
+                      written
+                  )

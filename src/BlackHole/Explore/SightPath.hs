@@ -23,14 +23,20 @@ import qualified BlackHole.Vector.XYZ as XYZ
 sightPath :: Tracer -> Double -> XY -> [XYZ]
 sightPath traced drawn point = thinned $ case tracedSight traced point of
   Nothing -> []
-  Just (RotatingSight hole azimuth ray) -> [turnedTo azimuth place | KerrPathPoint _ place <- kerrReportPath (kerrReport hole drawn ray)]
+  Just (RotatingSight hole azimuth ray) ->
+    [turnedTo azimuth place | KerrPathPoint _ place <- kerrReportPath (kerrReport hole drawn ray)]
   Just (SightLine photon observed)
     | sceneSpacetime (tracerScene traced) == Flat -> straight photon
-    | otherwise -> [photonPosition (pointPhoton p) | p <- trajectoryPoints drawn 0.02 (trajectoryFromPhoton observed photon)]
+    | otherwise ->
+      [ photonPosition (pointPhoton p)
+        | p <- trajectoryPoints drawn 0.02 (trajectoryFromPhoton observed photon)
+      ]
   where
     straight (Photon place velocity) =
       let reach = 2 * max drawn (XYZ.norm place)
-       in [place ^+^ (reach * fromIntegral k / 200 / XYZ.norm velocity) *^ velocity | k <- [0 .. 200 :: Int]]
+       in [ place ^+^ (reach * fromIntegral k / 200 / XYZ.norm velocity) *^ velocity
+            | k <- [0 .. 200 :: Int]
+          ]
     thinned points = case length points of
       n | n > 1000 -> [p | (k, p) <- zip [0 ..] points, k `rem` (1 + n `quot` 1000) == (0 :: Int)]
       _ -> points

@@ -31,13 +31,25 @@ slider field = case fieldKind field of
   WholeKind low high _ -> Just (between (Just (fromIntegral low)) (Just (fromIntegral high)))
   _ -> Nothing
   where
-    angles low high = Straight (max (-180) (orElse (-180) low)) (min 360 (if maybe False (< 0) low then 180 else orElse 180 high))
+    angles low high =
+      Straight
+        (max (-180) (orElse (-180) low))
+        (min 360 (if maybe False (< 0) low then 180 else orElse 180 high))
     between low high = case (low, high) of
-      (Just l, Just h) | h - l <= 1000 && (l < 0 || h <= 20 || (l > 0 && h / l <= 100)) -> Straight l h
-      (Just l, _) | l >= 0 -> Logarithmic (max l (min (greatest / 100) (smallest / 2))) (maybe id min high (50 * greatest)) (l == 0)
+      (Just l, Just h)
+        | h - l <= 1000 && (l < 0 || h <= 20 || (l > 0 && h / l <= 100)) ->
+          Straight l h
+      (Just l, _)
+        | l >= 0 ->
+          Logarithmic
+            (max l (min (greatest / 100) (smallest / 2)))
+            (maybe id min high (50 * greatest))
+            (l == 0)
       _ -> Straight (maybe id max low (negate (4 * greatest))) (maybe id min high (4 * greatest))
     -- Of the sizes of the presets' values.
-    (smallest, greatest) = case filter (> 0) (map abs (mapMaybe (\(_, scene) -> fieldGet field scene >>= size) presets)) of
+    (smallest, greatest) = case filter
+      (> 0)
+      (map abs (mapMaybe (\(_, scene) -> fieldGet field scene >>= size) presets)) of
       [] -> (1, 1)
       sizes -> (minimum sizes, maximum sizes)
     size value = case value of

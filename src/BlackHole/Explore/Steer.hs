@@ -40,8 +40,13 @@ steer how scene
     steered = case how of
       OrbitHole azimuth inclination -> camera {cameraPose = orbited azimuth inclination pose}
       Approach factor -> camera {cameraPose = approached factor pose}
-      LookAround right up -> maybe camera (\frame -> camera {cameraPose = lookingAlong (turned frame right up)}) (cameraFrame camera)
-      RollBy angle -> camera {cameraRoll = Degrees (wrapped (inDegrees (cameraRoll camera) + angle))}
+      LookAround right up ->
+        maybe
+          camera
+          (\frame -> camera {cameraPose = lookingAlong (turned frame right up)})
+          (cameraFrame camera)
+      RollBy angle ->
+        camera {cameraRoll = Degrees (wrapped (inDegrees (cameraRoll camera) + angle))}
       FaceHole -> camera {cameraPose = facing place}
     lookingAlong direction = LookAt place (rounded (place ^+^ XYZ.norm place *^ direction))
 
@@ -65,7 +70,8 @@ orbited azimuth inclination pose = case pose of
         turn = about (XYZ 0 1 0) (negate azimuth) . about (tangent a) (negate tilt)
      in LookAt (rounded (turn place)) (rounded (turn target))
   where
-    tilted margin (Degrees i) = Degrees (hundredths (max margin (min (180 - margin) (i + inclination))))
+    tilted margin (Degrees i) =
+      Degrees (hundredths (max margin (min (180 - margin) (i + inclination))))
     turnedAzimuth = hundredths . wrapped
     -- The axis about which the inclination grows against the right-hand rule.
     tangent a = let Radians t = toRadians (Degrees a) in XYZ (negate (sin t)) 0 (cos t)

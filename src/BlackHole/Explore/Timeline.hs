@@ -10,6 +10,7 @@ where
 
 import BlackHole.Animation.Animation
 import BlackHole.Animation.AnimationFile
+import BlackHole.Animation.AnimationKeys
 import BlackHole.Animation.Interpolate
 import BlackHole.Scene.Field.Field
 import BlackHole.Scene.Field.Kind
@@ -69,16 +70,26 @@ sequenceOf timeline = case sortOn keySeconds (timelineKeys timeline) of
       let scene = applySettings (keySettings first) defaultScene
           text = sequenceLines timeline scene keys
       animation <- readBack text scene
-      Right (Sequence animation text [fieldPath f | f <- sceneFields, varies keys f, not (isTrackable f && all (hasValue f) keys)])
+      Right
+        ( Sequence
+            animation
+            text
+            [ fieldPath f | f <- sceneFields, varies
+                                                keys
+                                                f, not (isTrackable f && all (hasValue f) keys)
+            ]
+        )
   where
-    readBack text scene = case parseYaml (Lazy.toStrict (Builder.toLazyByteString (Builder.stringUtf8 text))) of
-      Right (Just root) | Just (animation, faults) <- readAnimation root -> case faults of
-        [] -> Right (animation scene)
-        _ -> Left (map (renderProblem . snd) faults)
-      _ -> Left ["the animation has no scene file"]
+    readBack text scene =
+      case parseYaml (Lazy.toStrict (Builder.toLazyByteString (Builder.stringUtf8 text))) of
+        Right (Just root) | Just (animation, faults) <- readAnimation root -> case faults of
+          [] -> Right (animation scene)
+          _ -> Left (map (renderProblem . snd) faults)
+        _ -> Left ["the animation has no scene file"]
 
 valueIn :: Field -> Key -> Maybe Value
-valueIn field key = lookup (fieldPath field) [(settingPath s, settingValue s) | s <- keySettings key]
+valueIn field key =
+  lookup (fieldPath field) [(settingPath s, settingValue s) | s <- keySettings key]
 
 hasValue :: Field -> Key -> Bool
 hasValue field key = isJust (valueIn field key)
@@ -89,7 +100,9 @@ varies keys field = length (nub (map (valueIn field) keys)) > 1
 -- | The scene file: the scene of the first key, and a section @animation@.
 sequenceLines :: Timeline -> Scene -> [Key] -> String
 sequenceLines timeline scene keys =
-  printScene ["An animation made with blackhole explore: blackhole animate FILE -o frames/%05d.png"] scene
+  printScene
+    ["An animation made with blackhole explore: blackhole animate FILE -o frames/%05d.png"]
+    scene
     ++ unlines
       ( [ "",
           animationKey ++ ":",
@@ -105,7 +118,9 @@ sequenceLines timeline scene keys =
         varies keys field,
         Just values <- traverse (\key -> (,) (keySeconds key) <$> valueIn field key) keys =
         Just $
-          ["    " ++ fieldPath field ++ ":", "      interpolation: " ++ interpolationName (timelineInterpolation timeline)]
+          [ "    " ++ fieldPath field ++ ":",
+            "      interpolation: " ++ interpolationName (timelineInterpolation timeline)
+          ]
             ++ ["      shortest-turn: true" | turns field]
             ++ ["      " ++ exactNumber seconds ++ ": " ++ text value | (seconds, value) <- values]
       | otherwise = Nothing

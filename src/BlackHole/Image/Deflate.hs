@@ -6,6 +6,9 @@
 -- made for the data. Matches at other distances would save a few per cent on a rendered
 -- picture at several times the cost. The output depends on the data alone, not on the
 -- version of a library.
+--
+-- Written by hand because zlib, the library at hand, takes several times as long for a
+-- rendered picture and cannot compress the pieces of one stream in parallel.
 module BlackHole.Image.Deflate
   ( deflatePiece,
     zlibHeader,

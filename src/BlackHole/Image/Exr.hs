@@ -18,7 +18,7 @@ import BlackHole.Image.Deflate
 import BlackHole.Image.Destination
 import BlackHole.Image.Metadata
 import BlackHole.Image.Sphere
-import BlackHole.Render.Film (Film)
+import BlackHole.Render.Exposed (Film)
 import BlackHole.Render.Layer
 import BlackHole.Render.PixelArray (pixelArrayShape, toPixelVector)
 import BlackHole.Render.PixelShape

@@ -14,7 +14,7 @@ import BlackHole.Image.Metadata
 import BlackHole.Image.Png
 import BlackHole.Image.Tiff
 import BlackHole.Light.Display (Development, developer)
-import BlackHole.Render.Film
+import BlackHole.Render.Exposed
 import BlackHole.Render.Layer
 import BlackHole.Render.PixelShape (pixelShape)
 import BlackHole.Render.Workers (Workers, workersCount)

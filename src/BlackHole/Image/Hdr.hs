@@ -14,7 +14,7 @@ module BlackHole.Image.Hdr
 where
 
 import BlackHole.Image.Metadata
-import BlackHole.Render.Film (Film)
+import BlackHole.Render.Exposed (Film)
 import BlackHole.Render.PixelArray (pixelArrayShape)
 import BlackHole.Render.PixelRows (pixelRow)
 import BlackHole.Render.PixelShape

@@ -30,7 +30,8 @@ encodeJpeg quality metadata codes = Lazy.concat [before, Lazy.fromStrict (sphere
     shape = pixelArrayShape codes
     coded =
       encodeJpegAtQuality (fromIntegral (max 1 (min 100 quality))) $
-        convertImage (Image (shapeWidth shape) (shapeHeight shape) (toPixelVector codes) :: Image PixelRGB8)
+        convertImage
+          (Image (shapeWidth shape) (shapeHeight shape) (toPixelVector codes) :: Image PixelRGB8)
     -- After the start marker and the JFIF segment, if there is one.
     (before, after) = Lazy.splitAt (fromIntegral headSize) coded
     start = Lazy.toStrict (Lazy.take 64 coded)

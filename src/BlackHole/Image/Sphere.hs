@@ -47,8 +47,10 @@ spherePacket metadata (width, height) = packet <$> sphereAngle metadata
     packet angle =
       Characters.pack . concat $
         [ "<?xpacket begin=\"\xef\xbb\xbf\" id=\"W5M0MpCehiHzreSzNTczkc9d\"?>",
-          "<x:xmpmeta xmlns:x=\"adobe:ns:meta/\"><rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\">",
-          "<rdf:Description rdf:about=\"\" xmlns:GPano=\"http://ns.google.com/photos/1.0/panorama/\""
+          "<x:xmpmeta xmlns:x=\"adobe:ns:meta/\"><rdf:RDF \
+          \xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\">",
+          "<rdf:Description rdf:about=\"\" \
+          \xmlns:GPano=\"http://ns.google.com/photos/1.0/panorama/\""
         ]
           ++ [" GPano:" ++ key ++ "=\"" ++ value ++ "\"" | (key, value) <- properties angle]
           ++ ["/></rdf:RDF></x:xmpmeta><?xpacket end=\"r\"?>"]

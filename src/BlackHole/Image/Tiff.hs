@@ -16,7 +16,7 @@ where
 import BlackHole.Image.Bytes
 import BlackHole.Image.Metadata
 import BlackHole.Image.Sphere
-import BlackHole.Render.Film (Film)
+import BlackHole.Render.Exposed (Film)
 import BlackHole.Render.PixelArray (PixelArray, pixelArrayShape, toPixelVector)
 import BlackHole.Render.PixelShape
 import Data.Bits (Bits, shiftR)
@@ -61,36 +61,52 @@ tiffHeader metadata bits (width, height)
         <> Builder.word16LE (fromIntegral (length entries))
         <> mconcat
           [ Builder.word16LE tag <> Builder.word16LE kind <> Builder.word32LE count <> value
-            | (tag, kind, count, value) <- placed
+            | (tag, kind, count, value) <- place heapStart entries
           ]
         <> Builder.word32LE 0
-        <> Builder.byteString
-          (Bytes.concat [content | (_, _, _, content) <- entries, Bytes.length content > 4])
+        <> Builder.byteString (Bytes.concat (outside entries))
   where
-    sampleFormat = if bits == 32 then 3 else 1
-    dataSize = width * height * 3 * (bits `quot` 8)
-    -- In the order of their tags.
-    entries =
-      sortOn (\(tag, _, _, _) -> tag) $
-        [ long 256 width,
-          long 257 height,
-          shorts 258 (replicate 3 bits),
-          shorts 259 [1],
-          shorts 262 [2],
-          ascii 270 (metadataText metadata),
-          long 273 dataStart,
-          shorts 277 [3],
-          long 278 height,
-          long 279 dataSize,
-          ratio 282 72,
-          ratio 283 72,
-          shorts 284 [1],
-          shorts 296 [2],
-          ascii 305 (Characters.pack (metadataSoftware metadata)),
-          shorts 339 (replicate 3 sampleFormat)
-        ]
-          ++ [(700, 1, fromIntegral (Bytes.length packet), padded packet) | Just packet <- [sphere]]
-    sphere = spherePacket metadata (width, height)
+    entries = directoryEntries metadata bits (width, height) dataStart
+    heapStart = 8 + 2 + 12 * length anywhere + 4
+    dataStart = heapStart + sum (map Bytes.length (outside anywhere))
+    -- The sizes of the values do not depend on where the data starts.
+    anywhere = directoryEntries metadata bits (width, height) 0
+    -- The values that do not fit into their entries.
+    outside found = [content | (_, _, _, content) <- found, Bytes.length content > 4]
+    place _ [] = []
+    place at ((tag, kind, count, content) : rest)
+      | Bytes.length content > 4 =
+        (tag, kind, count, Builder.word32LE (fromIntegral at)) :
+        place (at + Bytes.length content) rest
+      | otherwise =
+        (tag, kind, count, Builder.byteString (Bytes.take 4 (content <> Bytes.replicate 4 0))) :
+        place at rest
+
+-- | The entries in the order of their tags, for data that starts at a byte of the file.
+directoryEntries :: Metadata -> Int -> (Int, Int) -> Int -> [DirectoryEntry]
+directoryEntries metadata bits (width, height) dataStart =
+  sortOn (\(tag, _, _, _) -> tag) $
+    [ long 256 width,
+      long 257 height,
+      shorts 258 (replicate 3 bits),
+      shorts 259 [1],
+      shorts 262 [2],
+      ascii 270 (metadataText metadata),
+      long 273 dataStart,
+      shorts 277 [3],
+      long 278 height,
+      long 279 (width * height * 3 * (bits `quot` 8)),
+      ratio 282 72,
+      ratio 283 72,
+      shorts 284 [1],
+      shorts 296 [2],
+      ascii 305 (Characters.pack (metadataSoftware metadata)),
+      shorts 339 (replicate 3 (if bits == 32 then 3 else 1))
+    ]
+      ++ [ (700, 1, fromIntegral (Bytes.length packet), padded packet)
+           | Just packet <- [spherePacket metadata (width, height)]
+         ]
+  where
     shorts :: Word16 -> [Int] -> DirectoryEntry
     long tag v = (tag, 4, 1, strict (Builder.word32LE (fromIntegral v)))
     shorts tag values =
@@ -101,43 +117,8 @@ tiffHeader metadata bits (width, height)
       )
     ratio tag v = (tag, 5, 1, strict (Builder.word32LE v <> Builder.word32LE 1))
     ascii tag text =
-      let ended = Bytes.snoc text 0
-       in ( tag,
-            2,
-            fromIntegral (Bytes.length ended),
-            padded ended
-          )
+      let ended = Bytes.snoc text 0 in (tag, 2, fromIntegral (Bytes.length ended), padded ended)
     padded bytes = if odd (Bytes.length bytes) then Bytes.snoc bytes 0 else bytes
-    heapStart = 8 + 2 + 12 * length entries + 4
-    dataStart = heapStart + longTexts
-    -- The values that do not fit into their entries. Their sizes do not depend on their
-    -- positions.
-    longTexts =
-      6 + 8 + 8 + 6
-        + sum
-          [ n
-            | n <-
-                map
-                  (Bytes.length . padded . (`Bytes.snoc` 0))
-                  [metadataText metadata, Characters.pack (metadataSoftware metadata)],
-              n > 4
-          ]
-        + maybe 0 (Bytes.length . padded) sphere
-    placed = place heapStart entries
-    place _ [] = []
-    place at ((tag, kind, count, content) : rest)
-      | Bytes.length content > 4 =
-        (tag, kind, count, Builder.word32LE (fromIntegral at)) :
-        place
-          (at + Bytes.length content)
-          rest
-      | otherwise =
-        ( tag,
-          kind,
-          count,
-          Builder.byteString (Bytes.take 4 (content <> Bytes.replicate 4 0))
-        ) :
-        place at rest
 
 -- | The numbers of every row, lowest byte first, produced lazily.
 littleEndianRows ::

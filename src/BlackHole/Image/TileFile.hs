@@ -21,7 +21,7 @@ module BlackHole.Image.TileFile
   )
 where
 
-import BlackHole.Render.Film (Film, SampleCounts)
+import BlackHole.Render.Exposed (Film, SampleCounts)
 import BlackHole.Render.PixelArray (fromPixelVector, pixelArrayShape, toPixelVector)
 import BlackHole.Render.PixelShape (pixelShape, shapeHeight, shapeWidth)
 import BlackHole.Render.Shard

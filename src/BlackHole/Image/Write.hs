@@ -12,7 +12,7 @@ import BlackHole.Image.Destination
 import BlackHole.Image.File
 import BlackHole.Image.Metadata
 import BlackHole.Image.MotionBlur
-import BlackHole.Render.Film
+import BlackHole.Render.Exposed
 import BlackHole.Render.Layer
 import BlackHole.Render.Optics
 import BlackHole.Render.PixelShape (pixelShape)

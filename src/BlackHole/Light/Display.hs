@@ -1,7 +1,7 @@
 -- | From linear radiance to the codes of a display, in separate steps: exposure, tone
 -- map ("BlackHole.Light.ToneMap"), sRGB coding ("BlackHole.Light.Srgb"), grain
--- ("BlackHole.Light.Grain") and dither ("BlackHole.Light.Dither"). No step depends on any other pixel's light, so equal
--- light at the same position always gives equal bytes.
+-- ("BlackHole.Light.Grain") and dither ("BlackHole.Light.Dither"). No step depends on any
+-- other pixel's light, so equal light at the same position always gives equal bytes.
 module BlackHole.Light.Display
   ( Exposure (..),
     expose,
@@ -105,7 +105,15 @@ developer (Development (Exposure stops) tone grain dither) = Developer toning gr
       (_, Nothing) -> Fitted factor
       (_, Just (ToneCurve inset kept curve)) ->
         let root u = sqrt (curve (u * u))
-         in Curved factor inset kept root (U.generate (curveNodes + 2) (\i -> root (curveReach * fromIntegral i / fromIntegral curveNodes)))
+         in Curved
+              factor
+              inset
+              kept
+              root
+              ( U.generate
+                  (curveNodes + 2)
+                  (\i -> root (curveReach * fromIntegral i / fromIntegral curveNodes))
+              )
     factor = 2 ** stops
 
 -- | The signals of a radiance at the pixel in a column and a row, within 2e-6 of the exact
@@ -117,11 +125,17 @@ developSignal (Developer toning grain _) column row light
   where
     toned = case toning of
       Fitted factor ->
-        let Radiance r g b = fitGamut (scaleRadiance factor light) in coded (sqrt r) (sqrt g) (sqrt b)
+        let Radiance r g b =
+              fitGamut (scaleRadiance factor light)
+         in coded (sqrt r) (sqrt g) (sqrt b)
       Coloured factor ->
-        let Radiance r g b = falseColour (luminance (mapRadiance (max 0) (scaleRadiance factor light))) in Signal r g b
+        let Radiance r g b =
+              falseColour (luminance (mapRadiance (max 0) (scaleRadiance factor light)))
+         in Signal r g b
       Curved factor inset kept root table ->
-        let Radiance r g b = keepingHue inset kept (tabulated root table) (scaleRadiance factor light) in coded r g b
+        let Radiance r g b =
+              keepingHue inset kept (tabulated root table) (scaleRadiance factor light)
+         in coded r g b
     coded r g b = Signal (codedRoot r) (codedRoot g) (codedRoot b)
 {-# INLINE developSignal #-}
 
@@ -160,7 +174,10 @@ interpolated table place = a + (place - fromIntegral node) * (U.unsafeIndex tabl
 {-# INLINE interpolated #-}
 
 signalTable :: U.Vector Double
-signalTable = U.generate (signalNodes + 2) (\i -> let u = fromIntegral i / fromIntegral signalNodes in encodeSrgb (u * u))
+signalTable =
+  U.generate
+    (signalNodes + 2)
+    (\i -> let u = fromIntegral i / fromIntegral signalNodes in encodeSrgb (u * u))
 {-# NOINLINE signalTable #-}
 
 signalNodes :: Int

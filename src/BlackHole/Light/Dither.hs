@@ -31,7 +31,8 @@ data Dither
 -- often in every tile of 'ditherTileSide'. The three channels (0, 1, 2) use shifted
 -- tiles, so that their errors do not add up in brightness. Any column and row is valid.
 ditherThreshold :: Int -> Int -> Int -> Double
-ditherThreshold channel column row = (fromIntegral (U.unsafeIndex tile (y `shiftL` 6 .|. x)) + 0.5) * 0.015625
+ditherThreshold channel column row =
+  (fromIntegral (U.unsafeIndex tile (y `shiftL` 6 .|. x)) + 0.5) * 0.015625
   where
     x = (column + 21 * channel) .&. (ditherTileSide - 1)
     y = (row + 43 * channel) .&. (ditherTileSide - 1)

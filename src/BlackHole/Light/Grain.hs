@@ -55,9 +55,17 @@ grainCover (Grain diameter seed) column row brightness
       | otherwise =
         let dx = side * (fromIntegral cx + fraction (h `shiftR` 21)) - x
             dy = side * (fromIntegral cy + fraction (h `shiftR` 42)) - y
-         in go cx cy (k + 1) (uncovered * (1 - max 0 (min 1 (radius + 0.5 - sqrt (dx * dx + dy * dy)))))
+         in go
+              cx
+              cy
+              (k + 1)
+              (uncovered * (1 - max 0 (min 1 (radius + 0.5 - sqrt (dx * dx + dy * dy)))))
       where
-        h = mixed (seed + 0x9e3779b97f4a7c15 * fromIntegral k + mixed (fromIntegral cx + mixed (fromIntegral cy)))
+        h =
+          mixed
+            ( seed + 0x9e3779b97f4a7c15 * fromIntegral k
+                + mixed (fromIntegral cx + mixed (fromIntegral cy))
+            )
     -- The low 21 bits as a fraction.
     fraction bits = (fromIntegral (bits .&. 0x1fffff) + 0.5) / 2097152
 

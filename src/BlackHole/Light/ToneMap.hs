@@ -84,9 +84,11 @@ toneCurve tone = case tone of
 applyToneMap :: ToneMap -> Radiance -> Radiance
 applyToneMap tone light = case toneCurve tone of
   Nothing
-    | tone == ToneRadio -> mapRadiance decodeSrgb (falseColour (luminance (mapRadiance (max 0) light)))
+    | tone == ToneRadio ->
+      mapRadiance decodeSrgb (falseColour (luminance (mapRadiance (max 0) light)))
     | otherwise -> fitGamut light
-  Just (ToneCurve inset kept curve) -> mapRadiance square (keepingHue inset kept (\u -> sqrt (curve (u * u))) light)
+  Just (ToneCurve inset kept curve) ->
+    mapRadiance square (keepingHue inset kept (\u -> sqrt (curve (u * u))) light)
   where
     square u = min 1 (u * u)
 
@@ -115,10 +117,15 @@ keepingHue inset kept rootCurve light
     high' = rootCurve high
     -- The twelfth power of the root: half the light's ratio is kept at 0.9 of white.
     low'
-      | kept > 0 = let h2 = high' * high'; h4 = h2 * h2 in bleached + kept * max 0 (1 - h4 * h4 * h4) * (low * high' / high - bleached)
+      | kept > 0 =
+        let h2 = high' * high'; h4 = h2 * h2
+         in bleached
+              + kept * max 0 (1 - h4 * h4 * h4) * (low * high' / high - bleached)
       | otherwise = bleached
     bleached
-      | inset > 0 = rootCurve (sqrt ((1 - inset) * (low * low) + inset * luminance (Radiance (r * r) (g * g) (b * b))))
+      | inset > 0 =
+        rootCurve
+          (sqrt ((1 - inset) * (low * low) + inset * luminance (Radiance (r * r) (g * g) (b * b))))
       | otherwise = rootCurve low
     scale = (high' - low') / (high - low)
     between u = low' + (u - low) * scale
@@ -135,7 +142,8 @@ narkowicz x
 agxCurve :: Double -> Double
 agxCurve x
   | x <= 0 = 0
-  | otherwise = signal (max 0 (min 1 ((logBase 2 (x / middleGrey) - darkest) / (brightest - darkest)))) ** gamma
+  | otherwise =
+    signal (max 0 (min 1 ((logBase 2 (x / middleGrey) - darkest) / (brightest - darkest)))) ** gamma
   where
     middleGrey = 0.18
     darkest = -10

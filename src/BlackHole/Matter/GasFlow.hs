@@ -54,5 +54,6 @@ crossingFrequencies flow sight (PlaneCrossing r _ light) = do
   let found = gasFrequencies flow r 0 momentum
   pure $ case (flow, sight) of
     -- Close to the horizon this keeps more digits.
-    (AroundKerr around, RotatingSight _ _ ray) -> found {frequencyInGas = kerrPlaneFrequency around ray r momentum}
+    (AroundKerr around, RotatingSight _ _ ray) ->
+      found {frequencyInGas = kerrPlaneFrequency around ray r momentum}
     _ -> found

@@ -1,6 +1,6 @@
--- | The four-velocity of the gas around a hole without spin: circular geodesics down to the innermost stable orbit
--- at r = 3, and free fall inside it. The falling gas keeps the energy and angular
--- momentum of that orbit. All motion is right-handed about @+y@.
+-- | The four-velocity of the gas around a hole without spin: circular geodesics down to
+-- the innermost stable orbit at r = 3, and free fall inside it. The falling gas keeps the
+-- energy and angular momentum of that orbit. All motion is right-handed about @+y@.
 --
 -- A thick disk also has gas off the equatorial plane, where no circular geodesic about
 -- the axis exists. There the gas keeps the coordinate rates dφ/dt and dr/dt of the
@@ -82,7 +82,8 @@ frequencyIn (FourVelocity ut ur uphi) (Momentum kr lambda) =
 -- 'frequencyIn', and is faster for circling gas, which fills most of a picture.
 motionFrequency :: Double -> Double -> Momentum -> Double
 motionFrequency r y momentum@(Momentum _ lambda)
-  | r >= 3 = (1 - sqrt (0.5 * u) * u * lambda) / sqrt (1 - u * (1.5 - 0.5 * sinLatitude * sinLatitude))
+  | r >= 3 =
+    (1 - sqrt (0.5 * u) * u * lambda) / sqrt (1 - u * (1.5 - 0.5 * sinLatitude * sinLatitude))
   | otherwise = case gasVelocity r y of
     Just moving -> frequencyIn moving momentum
     Nothing -> 1

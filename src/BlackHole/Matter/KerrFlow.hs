@@ -117,7 +117,8 @@ kerrFrequencies flow r c (Momentum kr lambda) = Frequencies inGas beside
         let below = flowIsco flow / r - 1
             timeRate = (wide + a2 / r) * energy - a * momentum / r
          in ( (a * energy / r + (1 - 1 / r) * momentum) / timeRate,
-              negate (below * sqrt below / sqrt (3 * flowIsco flow)) * sqrt (wide * wide - a2 * delta) / timeRate
+              negate (below * sqrt below / sqrt (3 * flowIsco flow))
+                * sqrt (wide * wide - a2 * delta) / timeRate
             )
     around = girth * (rate - dragging) / lapse
     gamma = 1 / sqrt (max 1e-12 (1 - around * around - infall * infall))

@@ -61,7 +61,8 @@ kerrReport hole drawn ray =
           | crossing <- planeCrossings traced sight,
             Just shift <- [crossingRedshift (gasFlow (Kerr hole)) sight crossing]
         ],
-      kerrReportPath = [KerrPathPoint time (placed (kerrPoint path time)) | time <- take 100000 (times 0)]
+      kerrReportPath =
+        [KerrPathPoint time (placed (kerrPoint path time)) | time <- take 100000 (times 0)]
     }
   where
     path = kerrPath hole (BoyerLindquist 0) ray
@@ -81,7 +82,10 @@ kerrReport hole drawn ray =
       Captured -> kerrMinoTime path * (1 - 1e-9)
       _ -> 20
     -- Outwards at the end, so that the radius grows beyond some time for good.
-    lastBelow radius = bisect (\t -> let point = kerrPoint path t in not (pointGrows point) || pointRadius point < radius) 0
+    lastBelow radius =
+      bisect
+        (\t -> let point = kerrPoint path t in not (pointGrows point) || pointRadius point < radius)
+        0
 
 placed :: KerrPoint -> XYZ
 placed point = XYZ (r * s * sin phi) (r * c) (r * s * cos phi)

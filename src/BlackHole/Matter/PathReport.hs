@@ -19,8 +19,8 @@ import BlackHole.Spacetime.Momentum
 import BlackHole.Spacetime.PathPlane (meetsDiskPlane)
 import BlackHole.Spacetime.Photon
 import BlackHole.Spacetime.PlaneCrossing
-import BlackHole.Spacetime.Schwarzschild.Leapfrog
 import BlackHole.Spacetime.Schwarzschild.LeapfrogStep
+import BlackHole.Spacetime.Schwarzschild.StepRule
 import BlackHole.Spacetime.Schwarzschild.Trajectory
 import BlackHole.Spacetime.Schwarzschild.TrajectoryPoints
 import BlackHole.Spacetime.Types (Spacetime (Schwarzschild))
@@ -67,7 +67,10 @@ exactReport drawn trajectory =
   PathReport
     { reportFate = trajectoryFate trajectory,
       reportImpactParameter = Just (trajectoryImpactParameter trajectory),
-      reportSweptAngle = if isInfinite (trajectorySweep trajectory) then Nothing else Just (trajectorySweep trajectory),
+      reportSweptAngle =
+        if isInfinite (trajectorySweep trajectory)
+          then Nothing
+          else Just (trajectorySweep trajectory),
       reportDeflection = trajectoryDeflection trajectory,
       reportClosestApproach = trajectoryClosestApproach trajectory,
       reportCrossings = crossingsOf trajectory,
@@ -82,12 +85,15 @@ exactReport drawn trajectory =
 
 -- | The crossings outside the horizon, with the shift of the gas there.
 crossingsOf :: Trajectory -> [PlaneCrossing Double]
-crossingsOf trajectory = mapMaybe (shifted (trajectoryObserved trajectory)) (trajectoryCrossings trajectory)
+crossingsOf trajectory =
+  mapMaybe (shifted (trajectoryObserved trajectory)) (trajectoryCrossings trajectory)
 
 shifted :: Double -> PlaneCrossing (Maybe Momentum) -> Maybe (PlaneCrossing Double)
 shifted observed crossing@(PlaneCrossing r _ light) = shift <$> light
   where
-    shift momentum = redshiftFactor (redshift observed (gasFrequencies (gasFlow Schwarzschild) r 0 momentum)) <$ crossing
+    shift momentum =
+      redshiftFactor (redshift observed (gasFrequencies (gasFlow Schwarzschild) r 0 momentum))
+        <$ crossing
 
 driftOf :: (Photon -> Double) -> [Photon] -> Maybe Double
 driftOf quantity photons = case map quantity photons of
@@ -125,6 +131,8 @@ data Walk = Walk
 -- With 'ReportSteps' the error stops falling at about 1e-5 radians whatever the base
 -- length, because that rule's steps beyond @r = 40@ always have the length 10. Takes at
 -- most twenty million steps of about 0.2 µs each.
+--
+-- The function is long because everything in the report comes from the one loop.
 leapfrogReport :: StepRule -> Double -> Trajectory -> PathReport
 leapfrogReport rule farthest trajectory = case trajectoryEntry radius trajectory of
   Nothing -> ended StepLimit Nothing (Walk 0 (Photon XYZ.zero XYZ.zero) 0 0 0 Nothing [] [])
@@ -166,8 +174,10 @@ leapfrogReport rule farthest trajectory = case trajectoryEntry radius trajectory
                 { walkSteps = walkSteps walk + 1,
                   walkPhoton = photon',
                   walkSwept = swept',
-                  walkMomentumDrift = max (walkMomentumDrift walk) (abs (XYZ.norm (angularMomentum photon') - h0)),
-                  walkEnergyDrift = max (walkEnergyDrift walk) (abs (pseudoEnergy photon' - energy0)),
+                  walkMomentumDrift =
+                    max (walkMomentumDrift walk) (abs (XYZ.norm (angularMomentum photon') - h0)),
+                  walkEnergyDrift =
+                    max (walkEnergyDrift walk) (abs (pseudoEnergy photon' - energy0)),
                   walkClosest =
                     if XYZ.dot x v < 0 && XYZ.dot x' v' >= 0
                       then Just (XYZ.norm (photonPosition (hermite (bisectStep movesInward))))
@@ -178,7 +188,11 @@ leapfrogReport rule farthest trajectory = case trajectoryEntry radius trajectory
             crossing
               | meetsDiskPlane (trajectoryPlane trajectory),
                 height x * height x' < 0 || (height x /= 0 && height x' == 0) =
-                shifted (trajectoryObserved trajectory) (crossingOf (hermite (bisectStep (\p -> height (photonPosition p) * height x > 0))))
+                shifted
+                  (trajectoryObserved trajectory)
+                  ( crossingOf
+                      (hermite (bisectStep (\p -> height (photonPosition p) * height x > 0)))
+                  )
               | otherwise = Nothing
             drawn path = case path of
               PathPoint _ p : _ | XYZ.distance p x' < 0.02 * XYZ.norm x' -> path
@@ -207,7 +221,8 @@ leapfrogReport rule farthest trajectory = case trajectoryEntry radius trajectory
               else Nothing,
           -- Paths have unit energy, so E is one half.
           reportEnergyDrift = Just (2 * walkEnergyDrift walk),
-          reportPath = reverse (filter (\(PathPoint _ p) -> XYZ.norm p <= drawnRadius) (walkPath walk))
+          reportPath =
+            reverse (filter (\(PathPoint _ p) -> XYZ.norm p <= drawnRadius) (walkPath walk))
         }
       where
         escapedAngle = case fate of

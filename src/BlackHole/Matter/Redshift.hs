@@ -27,9 +27,11 @@ data Redshift = Redshift
 
 -- | The shift from the observer's ν_obs/E∞ and the frequencies at the gas.
 redshift :: Double -> Frequencies -> Redshift
-redshift observed (Frequencies inGas beside) = Redshift (observed / inGas) (observed / beside) (beside / inGas)
+redshift observed (Frequencies inGas beside) =
+  Redshift (observed / inGas) (observed / beside) (beside / inGas)
 
 -- | The shift of light that gas at a crossing sends along a line of sight. 'Nothing' at
 -- and inside the horizon.
 crossingRedshift :: GasFlow -> SightLine -> PlaneCrossing (Maybe Momentum) -> Maybe Redshift
-crossingRedshift flow sight crossing = redshift (sightFrequency sight) <$> crossingFrequencies flow sight crossing
+crossingRedshift flow sight crossing =
+  redshift (sightFrequency sight) <$> crossingFrequencies flow sight crossing

@@ -37,8 +37,13 @@ thinDisk hole = disk (peak, thinDiskFlux unpeaked peak)
     x1 = 2 * cos ((acos s - pi) / 3)
     x3 = negate (2 * cos (acos s / 3))
     x2 = negate (2 * s / (x1 * x3))
-    weighted = [(root, weight root others) | (root, others) <- [(x1, (x2, x3)), (x2, (x1, x3)), (x3, (x1, x2))], root /= 0]
-    weight root (other, another) = 3 * (root - s) * (root - s) / (root * (root - other) * (root - another))
+    weighted =
+      [ (root, weight root others)
+        | (root, others) <- [(x1, (x2, x3)), (x2, (x1, x3)), (x3, (x1, x2))],
+          root /= 0
+      ]
+    weight root (other, another) =
+      3 * (root - s) * (root - s) / (root * (root - other) * (root - another))
     -- The flux is b/g; its derivative has the sign of b'g − bg'.
     peak = bisect rising edge (16 * edge)
     rising r = slope y * divisor s y > bracket unpeaked r * divisorSlope y
@@ -60,12 +65,14 @@ thinDisk hole = disk (peak, thinDiskFlux unpeaked peak)
 -- would not vanish quadratically at r = 3.)
 thinDiskFlux :: ThinDisk -> Double -> Double
 thinDiskFlux disk r
-  | r > _diskEdge disk && not (isInfinite r) = bracket disk r / divisor (_diskSpin disk) (sqrt (2 * r))
+  | r > _diskEdge disk && not (isInfinite r) =
+    bracket disk r / divisor (_diskSpin disk) (sqrt (2 * r))
   | otherwise = 0
 
 bracket :: ThinDisk -> Double -> Double
 bracket (ThinDisk s edge x0 roots _) r =
-  negate (1.5 * s * log1pMinus (d / x0)) - sum [c * log1pMinus (d / (x0 - root)) | (root, c) <- roots]
+  negate (1.5 * s * log1pMinus (d / x0))
+    - sum [c * log1pMinus (d / (x0 - root)) | (root, c) <- roots]
   where
     -- x − x₀, without cancellation.
     d = 2 * (r - edge) / (sqrt (2 * r) + x0)

@@ -59,7 +59,10 @@ cacheNoise budget seed profile low high =
       _ -> [CellBox l' 0 0 0 0 0 0 0 | l' <- l : map fst rest]
     gradientsOf box
       | boxCountX box == 0 = []
-      | otherwise = [gradientsOfLines seed box from (min (lineCount box) (from + pieceOf box)) | from <- [0, pieceOf box .. lineCount box - 1]]
+      | otherwise =
+        [ gradientsOfLines seed box from (min (lineCount box) (from + pieceOf box))
+          | from <- [0, pieceOf box .. lineCount box - 1]
+        ]
     lineCount box = fromIntegral ((boxCountX box + 1) * (boxCountY box + 1)) :: Int
     -- About 50 000 points.
     pieceOf box = 1 + 50000 `quot` fromIntegral (boxCountZ box + 1)
@@ -73,7 +76,10 @@ gradientsOfLines seed (CellBox l x y z _ ny nz _) from to = runPrimArray $ do
         let (dx, dy) = fromIntegral line `quotRem` (ny + 1)
             !points = latticeLine3 seed (latticePoint3 l (x + dx) (y + dy) z)
             on !i = when (i < count) $ do
-              writePrimArray numbers ((line - from) * count + i) (fromIntegral (gradientNumber3 (lineHash3 points (z + fromIntegral i))))
+              writePrimArray
+                numbers
+                ((line - from) * count + i)
+                (fromIntegral (gradientNumber3 (lineHash3 points (z + fromIntegral i))))
               on (i + 1)
         on 0
         along (line + 1)
@@ -100,7 +106,11 @@ cachedPerlin3 (CachedNoise seed reals boxes gradients) !count place@(XYZ px py p
         go :: Int -> Double -> Double -> Double
         go !i !left !total
           | i >= levels || left <= 0 = total
-          | otherwise = go (i + 1) (left - 1) (total + (if left >= 1 then amplitude else left * amplitude) * value i)
+          | otherwise =
+            go
+              (i + 1)
+              (left - 1)
+              (total + (if left >= 1 then amplitude else left * amplitude) * value i)
           where
             amplitude = indexPrimArray reals (realFields * i)
         -- A call of its own for each level, so that its strict numbers are not computed
@@ -126,10 +136,15 @@ cachedPerlin3 (CachedNoise seed reals boxes gradients) !count place@(XYZ px py p
             -- A line of points is one longer than a line of cells.
             !line = fromIntegral (nz + 1) :: Int
             !slice = line * fromIntegral (ny + 1)
-            !first = fromIntegral (field 8) + fromIntegral dz + line * fromIntegral dy + slice * fromIntegral dx
+            !first =
+              fromIntegral (field 8) + fromIntegral dz + line * fromIntegral dy
+                + slice * fromIntegral dx
             at a b c =
               fromIntegral
-                (indexPrimArray gradients (first + c + (if b == 0 then 0 else line) + (if a == 0 then 0 else slice)))
+                ( indexPrimArray
+                    gradients
+                    (first + c + (if b == 0 then 0 else line) + (if a == 0 then 0 else slice))
+                )
             {-# INLINE at #-}
 
 -- The level is made from its number inside this function. Otherwise GHC would prepare
@@ -158,7 +173,16 @@ realFields = 2
 -- | The box in the form that 'cachedPerlin3' reads.
 boxNumbers :: CellBox -> [Word64]
 boxNumbers (CellBox l x y z nx ny nz offset) =
-  [fromIntegral (levelNumber l), lastIndex l, fromMiddle x, fromMiddle y, fromMiddle z, nx, ny, nz, offset]
+  [ fromIntegral (levelNumber l),
+    lastIndex l,
+    fromMiddle x,
+    fromMiddle y,
+    fromMiddle z,
+    nx,
+    ny,
+    nz,
+    offset
+  ]
   where
     fromMiddle i = i - middleIndex l
 

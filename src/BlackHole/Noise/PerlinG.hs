@@ -117,7 +117,9 @@ data LatticeLine3 = LatticeLine3 {-# UNPACK #-} !Level {-# UNPACK #-} !SipState
 -- 'latticeHash3'.
 latticeLine3 :: Seed -> LatticePoint3 -> LatticeLine3
 latticeLine3 seed p =
-  LatticeLine3 (pointLevel3 p) (sipAfter2 (latticeKey seed 3 (pointLevel3 p)) (pointX3 p) (pointY3 p))
+  LatticeLine3
+    (pointLevel3 p)
+    (sipAfter2 (latticeKey seed 3 (pointLevel3 p)) (pointX3 p) (pointY3 p))
 
 -- | The 'latticeHash3' of the point of a line with this z, reduced around the torus.
 lineHash3 :: LatticeLine3 -> Word64 -> Word64

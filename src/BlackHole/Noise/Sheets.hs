@@ -51,7 +51,8 @@ data Sheets = Sheets
 sheets :: Seed -> Int -> Double -> Sheets
 sheets seed count gain =
   Sheets
-    { sheetsReals = primArrayFromList (concat [[a / total, cos t, sin t] | (a, t) <- zip amplitudes tilts]),
+    { sheetsReals =
+        primArrayFromList (concat [[a / total, cos t, sin t] | (a, t) <- zip amplitudes tilts]),
       sheetsGradients = mconcat (map octave [0 .. octaveCount - 1])
     }
   where
@@ -63,7 +64,8 @@ sheets seed count gain =
     octave i = generatePrimArray (bit (rowBits + columnBits + 2 * i)) $ \k ->
       let x = fromIntegral (k .&. (bit (columnBits + i) - 1))
           y = fromIntegral (k `unsafeShiftR` (columnBits + i))
-       in fromIntegral (gradientNumber2 (latticeHash2 seed (latticePoint2 (clampedLevel (rowBits + i)) x y)))
+          point = latticePoint2 (clampedLevel (rowBits + i)) x y
+       in fromIntegral (gradientNumber2 (latticeHash2 seed point))
 
 -- | Cells of the coarsest octave: 2^3 around, and 2^5 along the second coordinate.
 columnBits, rowBits :: Int
@@ -86,7 +88,8 @@ sheetsAmplitudes noise = [indexPrimArray reals i | i <- [0, 3 .. sizeofPrimArray
 -- ±2^40. Only the first @count@ octaves contribute; a fractional @count@ weights the
 -- last one by its fraction. Allocates nothing.
 sheetsValue :: Sheets -> Double -> Double -> Double -> Double -> Double
-sheetsValue noise count turns v height = weave noise plainWeave count v (Strand 1 turns height) (Strand 0 0 0)
+sheetsValue noise count turns v height =
+  weave noise plainWeave count v (Strand 1 turns height) (Strand 0 0 0)
 {-# INLINE sheetsValue #-}
 
 -- | What is made of the octaves.
@@ -122,32 +125,47 @@ data Strand
 -- the next octave's resolution, and count as that does. Its mean is not 0 except
 -- for 'plainWeave'. Nothing is allocated.
 weave :: Sheets -> Weave -> Double -> Double -> Strand -> Strand -> Double
-weave (Sheets reals gradients) (Weave filaments bend growth) !count !v (Strand weight1 turns1 height1) (Strand weight2 turns2 height2) = go 0 count 0 1 0
-  where
-    !octaves = sizeofPrimArray reals `quot` 3
-    go :: Int -> Double -> Int -> Double -> Double -> Double
-    go !i !left !first !scale !total
-      | i >= octaves || left <= 0 = total
-      | otherwise =
-        let !columns = columnBits + i
-            !rows = rowBits + i
-            !amplitude = indexPrimArray reals (3 * i)
-            !tiltU = indexPrimArray reals (3 * i + 1)
-            !tiltV = indexPrimArray reals (3 * i + 2)
-            !weight = if left >= 1 then amplitude else left * amplitude
-            !bent = v + bend * total
-            strand share turns height
-              | share < 1e-6 = 0
-              | otherwise = share * layer gradients first columns rows (scale * (8 * turns + tiltU * height)) (scale * (bent + tiltV * height))
-            {-# INLINE strand #-}
-            !noise1 = strand weight1 turns1 height1
-            !noise2 = strand weight2 turns2 height2
-            !noise = noise1 + noise2
-            !part
-              | filaments == 0 || i == 0 || left <= 1.5 = noise
-              | otherwise = let q = filaments * min 1 (left - 1.5) in noise + q * (crest noise - noise)
-         in go (i + 1) (left - 1) (first + 1 `unsafeShiftL` (columns + rows)) (2 * scale) $
-              total + weight * max 0 (1 + growth * total) * part
+weave
+  (Sheets reals gradients)
+  (Weave filaments bend growth)
+  !count
+  !v
+  (Strand weight1 turns1 height1)
+  (Strand weight2 turns2 height2) = go 0 count 0 1 0
+    where
+      !octaves = sizeofPrimArray reals `quot` 3
+      go :: Int -> Double -> Int -> Double -> Double -> Double
+      go !i !left !first !scale !total
+        | i >= octaves || left <= 0 = total
+        | otherwise =
+          let !columns = columnBits + i
+              !rows = rowBits + i
+              !amplitude = indexPrimArray reals (3 * i)
+              !tiltU = indexPrimArray reals (3 * i + 1)
+              !tiltV = indexPrimArray reals (3 * i + 2)
+              !weight = if left >= 1 then amplitude else left * amplitude
+              !bent = v + bend * total
+              strand share turns height
+                | share < 1e-6 = 0
+                | otherwise =
+                  share
+                    * layer
+                      gradients
+                      first
+                      columns
+                      rows
+                      (scale * (8 * turns + tiltU * height))
+                      (scale * (bent + tiltV * height))
+              {-# INLINE strand #-}
+              !noise1 = strand weight1 turns1 height1
+              !noise2 = strand weight2 turns2 height2
+              !noise = noise1 + noise2
+              !part
+                | filaments == 0 || i == 0 || left <= 1.5 = noise
+                | otherwise =
+                  let q = filaments * min 1 (left - 1.5) in noise + q * (crest noise - noise)
+           in go (i + 1) (left - 1) (first + 1 `unsafeShiftL` (columns + rows)) (2 * scale) $
+                total + weight * max 0 (1 + growth * total) * part
 
 -- | A crest where noise of the variance 0.0962 is 0, of about that noise's mean and
 -- variance.
@@ -168,6 +186,8 @@ layer gradients !first !columns !rows !x !y =
     !x1 = (cx + 1) .&. columnMask
     !y0 = first + ((cy .&. rowMask) `unsafeShiftL` columns)
     !y1 = first + (((cy + 1) .&. rowMask) `unsafeShiftL` columns)
-    at i j = fromIntegral (indexPrimArray gradients ((if i == 0 then x0 else x1) + (if j == 0 then y0 else y1)))
+    at i j =
+      fromIntegral
+        (indexPrimArray gradients ((if i == 0 then x0 else x1) + (if j == 0 then y0 else y1)))
     {-# INLINE at #-}
 {-# INLINE layer #-}

@@ -27,10 +27,13 @@ import GHC.Float (double2Float, float2Double)
 -- | @perlin3Above seed profile least place@ is 'perlin3', to the last bit, where it is
 -- at least @least@, and 'Nothing' elsewhere. Bind the result of the first two arguments
 -- to compute only once what depends on them alone.
+--
+-- The function is long because its loops share the tables that are made once.
 perlin3Above :: Seed -> Profile -> Double -> XYZ -> Maybe Double
 perlin3Above seed p
   | count > 0 && all (\l -> levelNumber l >= 1 && levelNumber l <= 50) named = above
-  | otherwise = \least v -> let value = perlin3 seed p v in if value >= least then Just value else Nothing
+  | otherwise =
+    \least v -> let value = perlin3 seed p v in if value >= least then Just value else Nothing
   where
     !count = length named
     named = map fst (layers p)
@@ -59,7 +62,8 @@ perlin3Above seed p
     screened :: Double -> GridPlace3 -> Double -> Int -> Nearest3 -> Double -> Maybe Double
     screened !least place !whole !i corner !bound
       | bound < least = Nothing
-      | i' >= count = beside bound (\bound' -> if bound' < least then Nothing else summed least place 0 0 whole)
+      | i' >= count =
+        beside bound (\bound' -> if bound' < least then Nothing else summed least place 0 0 whole)
       | otherwise =
         let !next = nearestIn place i'
             !bound' = bound - loss i' next Here Here Here
@@ -78,7 +82,8 @@ perlin3Above seed p
     -- By how much the gradient of a corner falls short of the best possible one.
     loss :: Int -> Nearest3 -> Side -> Side -> Side -> Double
     loss !i (Nearest3 x y z) a b c =
-      weight * (abs amplitude * XYZ.norm offset - amplitude * XYZ.dot (numberedGradient3 number) offset)
+      weight
+        * (abs amplitude * XYZ.norm offset - amplitude * XYZ.dot (numberedGradient3 number) offset)
       where
         !amplitude = indexPrimArray amplitudes i
         !number = numberAt seed (indexPrimArray levels i) (pointOf a x) (pointOf b y) (pointOf c z)
@@ -97,13 +102,17 @@ perlin3Above seed p
           least
           place
           (i + 1)
-          (total + indexPrimArray amplitudes i * noiseOf seed (indexPrimArray levels i) (XYZ px py pz))
+          ( total
+              + indexPrimArray amplitudes i * noiseOf seed (indexPrimArray levels i) (XYZ px py pz)
+          )
           (others - reach i (nearestIn place i))
 
-    reach !i (Nearest3 x y z) = abs (indexPrimArray amplitudes i) * tabulatedReach3 (distance x) (distance y) (distance z)
+    reach !i (Nearest3 x y z) =
+      abs (indexPrimArray amplitudes i) * tabulatedReach3 (distance x) (distance y) (distance z)
     {-# INLINE reach #-}
 
-    nearestIn (GridPlace3 x y z) !i = Nearest3 (nearest (edge * x)) (nearest (edge * y)) (nearest (edge * z))
+    nearestIn (GridPlace3 x y z) !i =
+      Nearest3 (nearest (edge * x)) (nearest (edge * y)) (nearest (edge * z))
       where
         !edge = indexPrimArray edges i
     {-# INLINE nearestIn #-}
@@ -111,7 +120,8 @@ perlin3Above seed p
 -- | The number of the gradient at a lattice point, from the level's number and the
 -- point's distances from the origin of space in cells.
 numberAt :: Seed -> Int -> Double -> Double -> Double -> Int
-numberAt !seed !number !x !y !z = gradientNumber3 (latticeHash3 seed (latticePoint3 l (index x) (index y) (index z)))
+numberAt !seed !number !x !y !z =
+  gradientNumber3 (latticeHash3 seed (latticePoint3 l (index x) (index y) (index z)))
   where
     !l = clampedLevel number
     index n = middleIndex l + fromIntegral (truncate n :: Int)
@@ -189,7 +199,8 @@ cellReach3 x y z =
 -- the nearest borders, 0 to 1\/2. The bound grows towards the cell's middle, so each
 -- field of the table holds the value at its innermost corner.
 tabulatedReach3 :: Double -> Double -> Double -> Double
-tabulatedReach3 x y z = float2Double (indexPrimArray reaches (field x + reachFields * (field y + reachFields * field z)))
+tabulatedReach3 x y z =
+  float2Double (indexPrimArray reaches (field x + reachFields * (field y + reachFields * field z)))
   where
     field t = truncate (t * fromIntegral (2 * (reachFields - 1)))
 {-# INLINE tabulatedReach3 #-}
@@ -201,7 +212,13 @@ reachFields = 17
 
 -- | Rounded up, in single precision to halve the memory.
 reaches :: PrimArray Float
-reaches = primArrayFromList [double2Float (1.000001 * cellReach3 (inner i) (inner j) (inner k)) | k <- fields, j <- fields, i <- fields]
+reaches =
+  primArrayFromList
+    [ double2Float (1.000001 * cellReach3 (inner i) (inner j) (inner k))
+      | k <- fields,
+        j <- fields,
+        i <- fields
+    ]
   where
     fields = [1 .. reachFields]
     inner i = min 0.5 (fromIntegral i / fromIntegral (2 * (reachFields - 1)))

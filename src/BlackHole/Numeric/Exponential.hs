@@ -51,6 +51,6 @@ sineOfTurns t = if turn < 0 then negate value else value
     -- The sine of the corresponding angle in the first quarter, in radians.
     !x = 6.283185307179586 * (0.25 - abs (abs turn - 0.25))
     !x2 = x * x
-    !value =
-      x * (1 + x2 * (-1 / 6 + x2 * (1 / 120 + x2 * (-1 / 5040 + x2 * (1 / 362880 + x2 * (-1 / 39916800 + x2 / 6227020800))))))
+    !value = x * (1 + x2 * (-1 / 6 + x2 * (1 / 120 + x2 * (-1 / 5040 + x2 * higher))))
+    !higher = 1 / 362880 + x2 * (-1 / 39916800 + x2 / 6227020800)
 {-# INLINE sineOfTurns #-}

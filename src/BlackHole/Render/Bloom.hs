@@ -16,7 +16,7 @@ module BlackHole.Render.Bloom
   )
 where
 
-import BlackHole.Render.Film (Film, filmRows)
+import BlackHole.Render.Exposed (Film, filmRows)
 import BlackHole.Render.PixelArray
 import BlackHole.Render.PixelShape
 import BlackHole.Render.Pyramid
@@ -68,17 +68,30 @@ bloomBands workers strength shape rowsOf
     glareOf level across down energy = do
       coarser <-
         if level < depth
-          then Just <$> (shrunk workers energy >>= glareOf (level + 1) (coarserAxis across) (coarserAxis down))
+          then
+            Just
+              <$> ( shrunk workers energy
+                      >>= glareOf (level + 1) (coarserAxis across) (coarserAxis down)
+                  )
           else pure Nothing
       generateRows workers (const (pure ())) (pixelArrayShape energy) $ \y row ->
         levelRow (shares Vector.! (level - 1)) across down energy coarser y row
 
 -- | A level's own part of the glare, per pixel of the finest level, and what the
 -- coarser ones add.
-levelRow :: Float -> Axis -> Axis -> PixelArray Float -> Maybe (PixelArray Float) -> Int -> MVector s Float -> ST s ()
+levelRow ::
+  Float ->
+  Axis ->
+  Axis ->
+  PixelArray Float ->
+  Maybe (PixelArray Float) ->
+  Int ->
+  MVector s Float ->
+  ST s ()
 levelRow part (Axis across) (Axis down) energy coarser y row = case coarser of
   Nothing -> own 0
-  Just glare -> enlargeRow glare width (shapeHeight shape) y $ \i v -> MVector.unsafeWrite row i (v + ownAt i)
+  Just glare ->
+    enlargeRow glare width (shapeHeight shape) y $ \i v -> MVector.unsafeWrite row i (v + ownAt i)
   where
     shape = pixelArrayShape energy
     width = shapeWidth shape
@@ -94,7 +107,10 @@ levelRow part (Axis across) (Axis down) energy coarser y row = case coarser of
 -- glare sends to angles from one half octave below its pixels' size to one above,
 -- the last one all beyond. What is missing in the sum stays within a pixel.
 glareShares :: Int -> Int -> Vector Float
-glareShares width depth = Vector.generate depth (\i -> realToFrac ((beyond i - (if i == depth - 1 then 0 else beyond (i + 1))) / glareBeyond 0))
+glareShares width depth =
+  Vector.generate
+    depth
+    (\i -> realToFrac ((beyond i - (if i == depth - 1 then 0 else beyond (i + 1))) / glareBeyond 0))
   where
     beyond :: Int -> Double
     beyond i = glareBeyond (40 * 2 ** (fromIntegral i + 0.5) / fromIntegral width)
@@ -102,7 +118,8 @@ glareShares width depth = Vector.generate depth (\i -> realToFrac ((beyond i - (
 -- | The glare that goes farther than an angle in degrees, up to a constant: the integral
 -- of θ (0.478 · 20.91 (θ + 0.02)⁻³ + 0.138 · 72.37 (θ + 0.02)⁻²) from there to 40°.
 glareBeyond :: Double -> Double
-glareBeyond angle = 0.478 * 20.91 * (cube angle - cube widest) + 0.138 * 72.37 * (square angle - square widest)
+glareBeyond angle =
+  0.478 * 20.91 * (cube angle - cube widest) + 0.138 * 72.37 * (square angle - square widest)
   where
     cube t = (t + 0.5 * core) / ((t + core) * (t + core))
     square t = negate (log (t + core)) - core / (t + core)

@@ -43,5 +43,7 @@ sceneLayers scene counts = layers <$> pixelGeometry scene
       v : rest -> (v, (column, rest))
       [] ->
         let PixelGeometry deflection hit = look column row
-         in (number (crossingLight <$> hit), (column + 1 :: Int, [number deflection, number (crossingRadius <$> hit)]))
+         in ( number (crossingLight <$> hit),
+              (column + 1 :: Int, [number deflection, number (crossingRadius <$> hit)])
+            )
     number = maybe (0 / 0) realToFrac :: Maybe Double -> Float

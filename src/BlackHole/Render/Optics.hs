@@ -10,7 +10,7 @@ import BlackHole.Light.Display (Exposure (..))
 import BlackHole.Numeric.Angle
 import BlackHole.Render.Beam
 import BlackHole.Render.Bloom
-import BlackHole.Render.Film (Film, filmRows)
+import BlackHole.Render.Exposed (Film, filmRows)
 import BlackHole.Render.PixelArray
 import BlackHole.Render.PixelRows (mapRows)
 import BlackHole.Render.PixelShape
@@ -41,7 +41,11 @@ opticsFilm workers scene film = do
 -- and again when a finished band is read, and keeps a quarter of the film in memory.
 opticsBands :: Workers -> Scene -> PixelShape -> FilmBands -> IO (Maybe FilmBands)
 opticsBands workers scene shape =
-  through [beamBands workers (beamDeviation scene), bloomBands workers (sceneBloom scene), spikeBands workers (sceneSpikes scene) (sceneSpikeLight scene)]
+  through
+    [ beamBands workers (beamDeviation scene),
+      bloomBands workers (sceneBloom scene),
+      spikeBands workers (sceneSpikes scene) (sceneSpikeLight scene)
+    ]
   where
     through [] bands = pure (Just (scaleBarBands workers scene bands))
     through (effect : rest) bands = effect shape bands >>= maybe (pure Nothing) (through rest)
@@ -49,7 +53,9 @@ opticsBands workers scene shape =
 -- | The standard deviation of the scene's beam in pixels of the middle of the picture.
 -- The setting is the full width at half maximum in degrees.
 beamDeviation :: Scene -> Double
-beamDeviation scene = width / pixelAngle (sceneProjection scene) (sceneCamera scene) (scenePicture scene) / sqrt (8 * log 2)
+beamDeviation scene =
+  width / pixelAngle (sceneProjection scene) (sceneCamera scene) (scenePicture scene)
+    / sqrt (8 * log 2)
   where
     Radians width = toRadians (Degrees (sceneBeam scene))
 
@@ -57,7 +63,8 @@ beamDeviation scene = width / pixelAngle (sceneProjection scene) (sceneCamera sc
 -- beside the hole.
 scaleBarBands :: Workers -> Scene -> FilmBands -> FilmBands
 scaleBarBands workers scene rowsOf (first, rows)
-  | sceneScaleBar scene > 0 = rowsOf (first, rows) >>= traverse (mapRows workers (barRow . (first +)))
+  | sceneScaleBar scene > 0 =
+    rowsOf (first, rows) >>= traverse (mapRows workers (barRow . (first +)))
   | otherwise = rowsOf (first, rows)
   where
     Picture width height = scenePicture scene
@@ -70,7 +77,18 @@ scaleBarBands workers scene rowsOf (first, rows)
     Exposure stops = sceneExposure scene
     white = realToFrac (4 * 2 ** negate stops) :: Float
     barRow :: Int -> Vector Float -> MVector s Float -> ST s ()
-    barRow row light new = Vector.imapM_ (\i v -> MVector.unsafeWrite new i (let part = realToFrac (down * overlap left right (i `quot` 3)) in v + part * (white - v))) light
+    barRow row light new =
+      Vector.imapM_
+        ( \i v ->
+            MVector.unsafeWrite
+              new
+              i
+              ( let part =
+                      realToFrac (down * overlap left right (i `quot` 3))
+                 in v + part * (white - v)
+              )
+        )
+        light
       where
         down = overlap top bottom row
     -- How much of a pixel lies in an interval.

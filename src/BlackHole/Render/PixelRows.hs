@@ -10,8 +10,20 @@ module BlackHole.Render.PixelRows
   )
 where
 
-import BlackHole.Render.PixelArray (PixelArray, fromPixelVector, generateRows, pixelArrayShape, toPixelVector)
-import BlackHole.Render.PixelShape (shapeChannels, shapeHeight, shapeLength, shapeRowLength, shapeWidth)
+import BlackHole.Render.PixelArray
+  ( PixelArray,
+    fromPixelVector,
+    generateRows,
+    pixelArrayShape,
+    toPixelVector,
+  )
+import BlackHole.Render.PixelShape
+  ( shapeChannels,
+    shapeHeight,
+    shapeLength,
+    shapeRowLength,
+    shapeWidth,
+  )
 import BlackHole.Render.Workers (Workers)
 import Control.Monad.ST (ST)
 import Data.Foldable (for_)
@@ -64,7 +76,8 @@ convertedRows convert pixels =
     Vector.create $ do
       made <- MVector.replicate (shapeLength shape) 0
       for_ [0 .. shapeHeight shape - 1] $ \y ->
-        for_ (pixelRow pixels y) $ \old -> convert y old (MVector.slice (y * shapeRowLength shape) (shapeRowLength shape) made)
+        for_ (pixelRow pixels y) $ \old ->
+          convert y old (MVector.slice (y * shapeRowLength shape) (shapeRowLength shape) made)
       pure made
   where
     shape = pixelArrayShape pixels

@@ -20,7 +20,7 @@ module BlackHole.Render.Pyramid
   )
 where
 
-import BlackHole.Render.Film (Film)
+import BlackHole.Render.Exposed (Film)
 import BlackHole.Render.PixelArray
 import BlackHole.Render.PixelRows (mapRows)
 import BlackHole.Render.PixelShape
@@ -40,7 +40,11 @@ type FilmBands = (Int, Int) -> IO (Maybe Film)
 -- over the whole picture. 'Nothing' if a band is missing.
 finestEnergy :: Workers -> PixelShape -> FilmBands -> IO (Maybe (PixelArray Float))
 finestEnergy workers shape rowsOf = do
-  bands <- sequence <$> mapM energyOf [(from, min 64 (halved height - from)) | from <- [0, 64 .. halved height - 1]]
+  bands <-
+    sequence
+      <$> mapM
+        energyOf
+        [(from, min 64 (halved height - from)) | from <- [0, 64 .. halved height - 1]]
   pure $ do
     parts <- bands
     finest <- pixelShape (halved width) (halved height) 3
@@ -60,7 +64,8 @@ finestEnergy workers shape rowsOf = do
     cleaned band
       | Vector.all isFinite (toPixelVector band) = pure band
       | otherwise = mapRows workers (const clean) band
-    clean old new = Vector.imapM_ (\i v -> MVector.unsafeWrite new i (if isFinite v then v else 0)) old
+    clean old new =
+      Vector.imapM_ (\i v -> MVector.unsafeWrite new i (if isFinite v then v else 0)) old
 
 -- | The next level: light, summed and not averaged, at half the size.
 shrunk :: Workers -> PixelArray Float -> IO (PixelArray Float)
@@ -78,7 +83,8 @@ enlarged workers shape coarser = generateRows workers ignore shape $ \y row ->
 -- | @withSpread workers shape kept gain spread rowsOf@: bands of the film with its light
 -- times @kept@, and with @gain@ times the light on the first level.
 withSpread :: Workers -> PixelShape -> Float -> Float -> PixelArray Float -> FilmBands -> FilmBands
-withSpread workers shape !kept !gain spread rowsOf (first, rows) = rowsOf (first, rows) >>= traverse (mapRows workers (blend . (first +)))
+withSpread workers shape !kept !gain spread rowsOf (first, rows) =
+  rowsOf (first, rows) >>= traverse (mapRows workers (blend . (first +)))
   where
     blend :: Int -> Vector Float -> MVector s Float -> ST s ()
     blend y light row = enlargeRow spread (shapeWidth shape) (shapeHeight shape) y $ \i v ->
@@ -147,7 +153,9 @@ shrinkRow !height !first finer y row = go 0
     {-# INLINE channels #-}
     channel !x along !at !k =
       MVector.unsafeWrite row (3 * x + k) $
-        part0 * along (line0 + at + k) + part1 * along (line1 + at + k) + part2 * along (line2 + at + k) + part3 * along (line3 + at + k)
+        part0 * along (line0 + at + k) + part1 * along (line1 + at + k)
+          + part2 * along (line2 + at + k)
+          + part3 * along (line3 + at + k)
     {-# INLINE channel #-}
     inner !i = 0.25 * (number i + number (i + 9)) + 0.75 * (number (i + 3) + number (i + 6))
     {-# INLINE inner #-}

@@ -55,14 +55,20 @@ slurmShard variable = do
         Just s | s >= 1 -> s
         _ -> 1
       (rank, off) = (task - first) `quotRem` step
-  if count < 1 || task < first || task > final || off /= 0 || (final - first) `quot` step + 1 /= count
+  if count < 1 || task < first || task > final || off /= 0
+    || (final - first) `quot` step + 1 /= count
     then Left "the job's array has gaps; use a range such as --array=1-8, or give --shard I/N"
     else Right (Shard (rank + 1) count)
   where
     number :: String -> Either String Int
     number name = case variable name of
-      Nothing -> Left (name ++ " is not set: this is no task of a Slurm array job (sbatch --array=1-8 …)")
-      Just text -> maybe (Left (name ++ " is '" ++ text ++ "', which is not a whole number")) Right (readMaybe text)
+      Nothing ->
+        Left (name ++ " is not set: this is no task of a Slurm array job (sbatch --array=1-8 …)")
+      Just text ->
+        maybe
+          (Left (name ++ " is '" ++ text ++ "', which is not a whole number"))
+          Right
+          (readMaybe text)
 
 -- | The shard's members of a list: every n-th, which spreads the slow passages of a
 -- film over all parts.

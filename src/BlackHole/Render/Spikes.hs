@@ -27,7 +27,11 @@ spikeBands workers blades strength shape rowsOf
   | otherwise = pure (Just rowsOf)
   where
     spread energy = do
-      spiked <- spikesFrom (coarserAxis (finestAxis (shapeWidth shape))) (coarserAxis (finestAxis (shapeHeight shape))) energy
+      spiked <-
+        spikesFrom
+          (coarserAxis (finestAxis (shapeWidth shape)))
+          (coarserAxis (finestAxis (shapeHeight shape)))
+          energy
       pure (withSpread workers shape (1 - part) part spiked rowsOf)
     part = realToFrac strength :: Float
     spikesFrom across down energy
@@ -35,8 +39,16 @@ spikeBands workers blades strength shape rowsOf
         coarser <- shrunk workers energy >>= spikesFrom (coarserAxis across) (coarserAxis down)
         enlarged workers size coarser
       | otherwise = do
-        spikes <- mapShared workers (pure . spike size (meanLight across down energy)) (spikeAngles blades)
-        pure $ case (spikes, fromPixelVector size (foldr1 (Vector.zipWith (+)) (map (Vector.map (/ fromIntegral (length spikes))) spikes))) of
+        spikes <-
+          mapShared workers (pure . spike size (meanLight across down energy)) (spikeAngles blades)
+        pure $ case ( spikes,
+                      fromPixelVector
+                        size
+                        ( foldr1
+                            (Vector.zipWith (+))
+                            (map (Vector.map (/ fromIntegral (length spikes))) spikes)
+                        )
+                    ) of
           (_ : _, Just summed) -> summed
           _ -> energy
       where
@@ -51,14 +63,21 @@ spikeAngles blades = [2 * pi * fromIntegral k / fromIntegral count | k <- [0 .. 
 -- | Light per pixel of the film.
 meanLight :: Axis -> Axis -> PixelArray Float -> Vector Float
 meanLight (Axis across) (Axis down) energy =
-  Vector.imap (\i v -> let (y, x) = (i `quot` 3) `quotRem` Vector.length across in v / (Vector.unsafeIndex across x * Vector.unsafeIndex down y)) (toPixelVector energy)
+  Vector.imap
+    ( \i v ->
+        let (y, x) =
+              (i `quot` 3) `quotRem` Vector.length across
+         in v / (Vector.unsafeIndex across x * Vector.unsafeIndex down y)
+    )
+    (toPixelVector energy)
 
 -- | All light smeared in one direction, by a sum of two exponentials: short and bright,
 -- long and faint. Adding to the light itself, moved by a step and dimmed, makes the first
 -- two terms of an exponential; adding to these themselves, moved by two steps, makes four,
 -- and so on. So few moves keep the spikes thin.
 spike :: PixelShape -> Vector Float -> Double -> Vector Float
-spike size light angle = Vector.zipWith (+) (smeared 0.7 (0.006 * longest)) (smeared 0.3 (0.05 * longest))
+spike size light angle =
+  Vector.zipWith (+) (smeared 0.7 (0.006 * longest)) (smeared 0.3 (0.05 * longest))
   where
     width = shapeWidth size
     height = shapeHeight size
@@ -66,7 +85,8 @@ spike size light angle = Vector.zipWith (+) (smeared 0.7 (0.006 * longest)) (sme
     (right, down) = (sin angle, negate (cos angle))
     -- A step is one pixel along the axis that is nearer to the direction.
     steep = abs down >= abs right
-    (acrossStep, downStep) = if steep then (right / abs down, signum down) else (signum right, down / abs right)
+    (acrossStep, downStep) =
+      if steep then (right / abs down, signum down) else (signum right, down / abs right)
     smeared :: Float -> Double -> Vector Float
     smeared part len = go 1 light
       where
@@ -81,7 +101,10 @@ spike size light angle = Vector.zipWith (+) (smeared 0.7 (0.006 * longest)) (sme
     moved :: Double -> Float -> Vector Float -> Vector Float
     moved steps faded terms = Vector.imap (\i v -> v + faded * behind i) terms
       where
-        (lineShift, placeShift) = if steep then (steps * downStep, steps * acrossStep) else (steps * acrossStep, steps * downStep)
+        (lineShift, placeShift) =
+          if steep
+            then (steps * downStep, steps * acrossStep)
+            else (steps * acrossStep, steps * downStep)
         !lines' = if steep then height else width
         !places = if steep then width else height
         !stride = if steep then 3 else 3 * width
@@ -97,4 +120,7 @@ spike size light angle = Vector.zipWith (+) (smeared 0.7 (0.006 * longest)) (sme
             (y, x) = pixel `quotRem` width
             line = (if steep then y else x) - back
             place = if steep then x else y
-            at p = if p < 0 || p >= places then 0 else Vector.unsafeIndex terms (k + lineStride * line + stride * p)
+            at p =
+              if p < 0 || p >= places
+                then 0
+                else Vector.unsafeIndex terms (k + lineStride * line + stride * p)

@@ -11,10 +11,25 @@ module BlackHole.Render.Workers
   )
 where
 
-import Control.Concurrent (forkOn, getNumCapabilities, killThread, rtsSupportsBoundThreads, setNumCapabilities)
+import Control.Concurrent
+  ( forkOn,
+    getNumCapabilities,
+    killThread,
+    rtsSupportsBoundThreads,
+    setNumCapabilities,
+  )
 import Control.Concurrent.Chan (newChan, readChan, writeChan)
 import Control.Concurrent.MVar (newEmptyMVar, putMVar, takeMVar)
-import Control.Exception (SomeException, bracket, finally, mask, onException, throwIO, try, uninterruptibleMask_)
+import Control.Exception
+  ( SomeException,
+    bracket,
+    finally,
+    mask,
+    onException,
+    throwIO,
+    try,
+    uninterruptibleMask_,
+  )
 import Control.Monad (forM, replicateM_, when)
 import GHC.Conc (getNumProcessors)
 
@@ -81,7 +96,9 @@ onWorkers (Workers wanted) most act = mask $ \restore -> do
   outcomes <- newChan
   workers <- forM [0 .. count - 1] $ \processor -> do
     ended <- newEmptyMVar
-    thread <- forkOn processor $ (try (restore act) >>= writeChan outcomes) `finally` putMVar ended ()
+    thread <-
+      forkOn processor $
+        (try (restore act) >>= writeChan outcomes) `finally` putMVar ended ()
     pure (thread, ended)
   let next = readChan outcomes >>= either (throwIO :: SomeException -> IO ()) pure
       stop = uninterruptibleMask_ $ do

@@ -152,7 +152,12 @@ data PicturePlane = PicturePlane
 -- | The plane of a camera's picture.
 picturePlane :: Projection -> Camera -> Picture -> Frame -> PicturePlane
 picturePlane projection camera picture@(Picture width height) frame =
-  PicturePlane projection frame (0.5 * fromIntegral width) (0.5 * fromIntegral height) (pixelScale projection camera picture)
+  PicturePlane
+    projection
+    frame
+    (0.5 * fromIntegral width)
+    (0.5 * fromIntegral height)
+    (pixelScale projection camera picture)
 
 -- | @shiftedPlane right up plane@: the plane of a picture in perspective, with each direction
 -- so many pixels farther right and up. Other projections have no such shift.
@@ -176,9 +181,11 @@ pixelScale projection camera (Picture width _) = case projection of
 -- an equirectangular picture goes on around the sphere, and beyond its upper and
 -- lower edge over the pole.
 sightDirection :: PicturePlane -> XY -> Maybe XYZ
-sightDirection plane@(PicturePlane projection frame halfWidth halfHeight scale) (XY px py) = case projection of
-  Perspective -> Just $! flatDirection frame ((px - halfWidth) * scale) ((halfHeight - py) * scale)
-  _ -> curvedDirection plane (px - halfWidth) (py - halfHeight)
+sightDirection plane@(PicturePlane projection frame halfWidth halfHeight scale) (XY px py) =
+  case projection of
+    Perspective ->
+      Just $! flatDirection frame ((px - halfWidth) * scale) ((halfHeight - py) * scale)
+    _ -> curvedDirection plane (px - halfWidth) (py - halfHeight)
 {-# INLINE sightDirection #-}
 
 flatDirection :: Frame -> Double -> Double -> XYZ
@@ -199,9 +206,12 @@ curvedDirection plane x y = (\(Tangent direction _ _) -> direction) <$> curvedTa
 -- picture is back on its sphere or dome. In perspective it is
 -- 'sightDirection' of the sum.
 sightBeside :: PicturePlane -> XY -> XY -> Maybe XYZ
-sightBeside plane@(PicturePlane projection _ halfWidth halfHeight scale) (XY px py) (XY dx dy) = case projection of
-  Perspective -> sightDirection plane (XY (px + dx) (py + dy))
-  _ -> curvedTangent plane (px - halfWidth) (py - halfHeight) >>= \(Tangent d right down) -> XYZ.normalize (d ^+^ (scale * dx) *^ right ^+^ (scale * dy) *^ down)
+sightBeside plane@(PicturePlane projection _ halfWidth halfHeight scale) (XY px py) (XY dx dy) =
+  case projection of
+    Perspective -> sightDirection plane (XY (px + dx) (py + dy))
+    _ ->
+      curvedTangent plane (px - halfWidth) (py - halfHeight) >>= \(Tangent d right down) ->
+        XYZ.normalize (d ^+^ (scale * dx) *^ right ^+^ (scale * dy) *^ down)
 {-# INLINE sightBeside #-}
 
 -- | A direction, and the unit vectors across it that stand for the picture's
@@ -210,32 +220,39 @@ data Tangent = Tangent !XYZ !XYZ !XYZ
 
 -- | By the offset in pixels from the picture's middle, to the right and downwards.
 curvedTangent :: PicturePlane -> Double -> Double -> Maybe Tangent
-curvedTangent (PicturePlane projection (Frame forward right up) halfWidth _ scale) x y = case projection of
-  Fisheye
-    | radius > halfWidth -> Nothing
-    | otherwise ->
-      let -- In the middle no direction is outwards; any will do.
-          (c, s) = if radius > 0 then (x / radius, y / radius) else (1, 0)
-          theta = radius * scale
-          outwards = c *^ right ^-^ s *^ up
-          around = negate s *^ right ^-^ c *^ up
-          away = cos theta *^ outwards ^-^ sin theta *^ forward
-       in Just (Tangent (cos theta *^ forward ^+^ sin theta *^ outwards) (c *^ away ^-^ s *^ around) (s *^ away ^+^ c *^ around))
-  _ ->
-    let longitude = x * scale
-        latitude = negate y * scale
-        level = cos longitude *^ forward ^+^ sin longitude *^ right
-     in Just $
-          Tangent
-            (cos latitude *^ level ^+^ sin latitude *^ up)
-            (cos longitude *^ right ^-^ sin longitude *^ forward)
-            (sin latitude *^ level ^-^ cos latitude *^ up)
+curvedTangent (PicturePlane projection (Frame forward right up) halfWidth _ scale) x y =
+  case projection of
+    Fisheye
+      | radius > halfWidth -> Nothing
+      | otherwise ->
+        let -- In the middle no direction is outwards; any will do.
+            (c, s) = if radius > 0 then (x / radius, y / radius) else (1, 0)
+            theta = radius * scale
+            outwards = c *^ right ^-^ s *^ up
+            around = negate s *^ right ^-^ c *^ up
+            away = cos theta *^ outwards ^-^ sin theta *^ forward
+         in Just
+              ( Tangent
+                  (cos theta *^ forward ^+^ sin theta *^ outwards)
+                  (c *^ away ^-^ s *^ around)
+                  (s *^ away ^+^ c *^ around)
+              )
+    _ ->
+      let longitude = x * scale
+          latitude = negate y * scale
+          level = cos longitude *^ forward ^+^ sin longitude *^ right
+       in Just $
+            Tangent
+              (cos latitude *^ level ^+^ sin latitude *^ up)
+              (cos longitude *^ right ^-^ sin longitude *^ forward)
+              (sin latitude *^ level ^-^ cos latitude *^ up)
   where
     radius = sqrt (x * x + y * y)
 
 -- | Whether the picture's left and right edge are the same line.
 closesAround :: Projection -> Camera -> Bool
-closesAround projection camera = projection == Equirectangular && cameraFieldOfView camera == Degrees 360
+closesAround projection camera =
+  projection == Equirectangular && cameraFieldOfView camera == Degrees 360
 
 -- | The angle that a pixel in the middle of the picture covers, in radians.
 pixelAngle :: Projection -> Camera -> Picture -> Double

@@ -12,7 +12,7 @@ module BlackHole.Scene.Disk
   )
 where
 
-import BlackHole.Spacetime.LightPath (Region (..))
+import BlackHole.Spacetime.Region (Region (..))
 
 -- | A spiral disk of gas around @+y@. Radii and lengths are in Schwarzschild
 -- radii.
@@ -184,7 +184,10 @@ diskRegion fineness disk =
   where
     reach part = widths * part * diskThickness disk
     hazy = diskHaze disk > 0
-    widths = if hazy then max 3 (diskHazeHeight disk * sqrt (max 0 (log (diskHaze disk / thinnestGas)))) else 3
+    widths =
+      if hazy
+        then max 3 (diskHazeHeight disk * sqrt (max 0 (log (diskHaze disk / thinnestGas))))
+        else 3
     (constant, opening) = case diskProfile disk of
       ConstantThickness -> (1, 0)
       ConstantOpening -> (0, 1)

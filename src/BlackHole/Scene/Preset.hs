@@ -38,17 +38,45 @@ data Preset = Preset
 -- | All of them, the default first.
 describedPresets :: [Preset]
 describedPresets =
-  [ Preset "default" "a wide disk of glowing gas, seen by an observer at rest above its plane" defaultScene,
-    Preset "report" "the picture of the design report, with its observer, gas, stars and leapfrog integration" reportScene,
-    Preset "interstellar" "the look of the film Interstellar (2014): a thin bright disk around a rotating hole, without Doppler shift or redshift" interstellarScene,
-    Preset "edge-on" "the disk seen from within a degree of its plane" (seenFrom 89 40 defaultScene),
+  [ Preset
+      "default"
+      "a wide disk of glowing gas, seen by an observer at rest above its plane"
+      defaultScene,
+    Preset
+      "report"
+      "the picture of the design report, with its observer, gas, stars and leapfrog integration"
+      reportScene,
+    Preset
+      "interstellar"
+      "the look of the film Interstellar (2014): a thin bright disk around a \
+      \rotating hole, without Doppler shift or redshift"
+      interstellarScene,
+    Preset
+      "edge-on"
+      "the disk seen from within a degree of its plane"
+      (seenFrom 89 40 defaultScene),
     Preset "face-on" "the disk seen from near its pole" faceOnScene,
-    Preset "luminet" "Luminet's picture of 1979: a thin opaque disk, its intensity over all wavelengths, without colour" luminetScene,
+    Preset
+      "luminet"
+      "Luminet's picture of 1979: a thin opaque disk, its intensity over all \
+      \wavelengths, without colour"
+      luminetScene,
     Preset "lens-only" "no disk, only the sky distorted by the hole" lensOnlyScene,
-    Preset "photon-ring" "a close-up of the rings formed by light that has gone around the hole" photonRingScene,
+    Preset
+      "photon-ring"
+      "a close-up of the rings formed by light that has gone around the hole"
+      photonRingScene,
     Preset "falling" "the view of an observer falling into the hole, at r = 2.6" fallingScene,
-    Preset "m87" "the shadow of the hole in the galaxy M87 as the Event Horizon Telescope sees it at a wavelength of 1.3 mm" m87Scene,
-    Preset "kerr" "a hole that rotates almost as fast as possible, seen from close to the plane of its disk: a shadow like the letter D" kerrScene
+    Preset
+      "m87"
+      "the shadow of the hole in the galaxy M87 as the Event Horizon Telescope sees it \
+      \at a wavelength of 1.3 mm"
+      m87Scene,
+    Preset
+      "kerr"
+      "a hole that rotates almost as fast as possible, seen from close to the plane of \
+      \its disk: a shadow like the letter D"
+      kerrScene
   ]
 
 -- | The names, the default first.
@@ -73,7 +101,10 @@ seenFrom inclination fieldOfView scene =
     }
 
 faceOnScene :: Scene
-faceOnScene = (seenFrom 12 60 defaultScene) {sceneDisk = Just defaultDisk {diskBrightness = 1.3, diskColour = BlackBody 2500}}
+faceOnScene =
+  (seenFrom 12 60 defaultScene)
+    { sceneDisk = Just defaultDisk {diskBrightness = 1.3, diskColour = BlackBody 2500}
+    }
 
 -- | The centre of the galaxy a little beside the hole, whose gravity draws the Milky Way
 -- out into a ring.
@@ -96,7 +127,8 @@ interstellarScene :: Scene
 interstellarScene =
   maybe id (\hole scene -> scene {sceneSpacetime = Kerr hole}) (spin 0.6) $
     defaultScene
-      { sceneCamera = Camera (Around 37.05 (Degrees 86.56) (Degrees 90)) (Degrees (-4)) (Degrees 40),
+      { sceneCamera =
+          Camera (Around 37.05 (Degrees 86.56) (Degrees 90)) (Degrees (-4)) (Degrees 40),
         sceneDisk =
           Just
             defaultDisk
@@ -160,7 +192,11 @@ fallingScene =
 m87Scene :: Scene
 m87Scene =
   defaultScene
-    { sceneCamera = Camera (Around distance (Degrees 163) (Degrees 90)) (Degrees 90) (Degrees (2 * atan (0.5 * 164 * width / distance) * 180 / pi)),
+    { sceneCamera =
+        Camera
+          (Around distance (Degrees 163) (Degrees 90))
+          (Degrees 90)
+          (Degrees (2 * atan (0.5 * 164 * width / distance) * 180 / pi)),
       sceneDisk =
         Just
           defaultDisk
@@ -199,7 +235,14 @@ kerrScene = maybe defaultScene around (spin 0.998)
           sceneSpacetime = Kerr hole,
           -- The gas is hottest in a narrow ring; as bright as the default's it would leave
           -- the rest of the disk dark.
-          sceneDisk = Just defaultDisk {diskInnerRadius = spacetimeIsco (Kerr hole), diskOuterRadius = 11, diskBrightness = 3.5, diskColour = BlackBody 4800}
+          sceneDisk =
+            Just
+              defaultDisk
+                { diskInnerRadius = spacetimeIsco (Kerr hole),
+                  diskOuterRadius = 11,
+                  diskBrightness = 3.5,
+                  diskColour = BlackBody 4800
+                }
         }
 
 -- | A wide disk seen from above its plane by an observer at rest. All of it is in the

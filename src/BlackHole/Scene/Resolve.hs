@@ -11,6 +11,7 @@ import BlackHole.Scene.Field.Kind (Value (..), showValue)
 import BlackHole.Scene.Field.Table
 import BlackHole.Scene.File.SceneFile
 import BlackHole.Scene.File.Yaml (YamlFault (..))
+import BlackHole.Scene.Idle
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Problem
 import BlackHole.Scene.Scene
@@ -67,9 +68,13 @@ resolveRequest (Request preset file folder options) = case traverse (parseSceneF
                    Just line <- [lineOf (settingPath (idleSetting idle))]
                ]
             ++ map faultText faults
-        complete = all ((`Set.member` Set.fromList (map settingPath inFile)) . settingPath) (sceneSettings ofFile)
+        complete =
+          all
+            ((`Set.member` Set.fromList (map settingPath inFile)) . settingPath)
+            (sceneSettings ofFile)
     where
-      (SceneFile filePresetName settings _, malformed) = fromMaybe (SceneFile "default" [] [], []) parsed
+      (SceneFile filePresetName settings _, malformed) =
+        fromMaybe (SceneFile "default" [] [], []) parsed
       chosenName = fromMaybe filePresetName preset
       lineOf path = listToMaybe [line | PlacedSetting line s <- settings, settingPath s == path]
       -- A fault is reported where the value was set: by an option or in the file.
@@ -77,14 +82,20 @@ resolveRequest (Request preset file folder options) = case traverse (parseSceneF
         Just line
           | path `notElem` map settingPath options ->
             (line, fileLine line (renderProblem (Problem path (showValue value) range)))
-        _ -> (0, renderProblem (Problem (maybe path fieldLabel (findField path)) (showValue value) range))
+        _ ->
+          ( 0,
+            renderProblem (Problem (maybe path fieldLabel (findField path)) (showValue value) range)
+          )
   where
     fileLine line text = maybe "" fst file ++ ":" ++ show line ++ ": " ++ text
     unknownPreset =
-      "a preset" ++ suggestion (fromMaybe "" preset) presetNames ++ "; the presets are: " ++ intercalate ", " presetNames
+      "a preset" ++ suggestion (fromMaybe "" preset) presetNames ++ "; the presets are: "
+        ++ intercalate ", " presetNames
     given = map settingPath options
     clashes =
-      [ Mistake "--position, --look-at" "cannot be combined with --distance, --inclination or --azimuth"
+      [ Mistake
+          "--position, --look-at"
+          "cannot be combined with --distance, --inclination or --azimuth"
         | any (`elem` given) ["camera.position", "camera.look-at"],
           any (`elem` given) ["camera.distance", "camera.inclination", "camera.azimuth"]
       ]
@@ -103,5 +114,7 @@ requestWarnings request =
 -- directory instead of the given folder.
 settingFrom :: FilePath -> Setting -> Setting
 settingFrom folder s = case settingValue s of
-  FileValue file | isRelative file && folder /= "." -> s {settingValue = FileValue (folder </> file)}
+  FileValue file
+    | isRelative file && folder /= "." ->
+      s {settingValue = FileValue (folder </> file)}
   _ -> s

@@ -14,15 +14,20 @@ where
 import BlackHole.Light.Display (Development (..), Exposure, ToneMap)
 import BlackHole.Light.Dither (Dither)
 import BlackHole.Light.Grain (Grain (..))
-import BlackHole.Scene.Camera (Camera (cameraPose), Picture (..), Projection, pixelAngle, posePosition)
+import BlackHole.Scene.Camera
+  ( Camera (cameraPose),
+    Picture (..),
+    Projection,
+    pixelAngle,
+    posePosition,
+  )
 import BlackHole.Scene.Disk
 import BlackHole.Scene.Filter (Filter)
 import BlackHole.Scene.Shifts (Shifts)
 import BlackHole.Scene.Sky (Sky)
-import BlackHole.Spacetime.LightPath (Region, emptyRegion)
 import BlackHole.Spacetime.Observer (Observer)
-import BlackHole.Spacetime.Schwarzschild.Leapfrog
-import BlackHole.Spacetime.Schwarzschild.LeapfrogStep
+import BlackHole.Spacetime.Region (Region, emptyRegion)
+import BlackHole.Spacetime.Schwarzschild.StepRule
 import BlackHole.Spacetime.Types (Spacetime)
 import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Word (Word64)
@@ -119,7 +124,8 @@ sceneRegion scene = maybe emptyRegion (diskRegion fineness) (sceneDisk scene)
 -- uncertainty.
 mostSamples :: Scene -> Int
 mostSamples scene
-  | sceneNoise scene > 0 && sceneSamples scene > 1 = max (sceneSamples scene) (sceneMostSamples scene)
+  | sceneNoise scene > 0 && sceneSamples scene > 1 =
+    max (sceneSamples scene) (sceneMostSamples scene)
   | otherwise = sceneSamples scene
 
 -- | How the scene's light is developed for a display.
@@ -128,11 +134,18 @@ sceneDevelopment scene =
   Development
     { developmentExposure = sceneExposure scene,
       developmentToneMap = sceneToneMap scene,
-      developmentGrain = Grain (0.001 * sceneGrain scene * fromIntegral (pictureWidth (scenePicture scene))) (sceneSeed scene),
+      developmentGrain =
+        Grain
+          (0.001 * sceneGrain scene * fromIntegral (pictureWidth (scenePicture scene)))
+          (sceneSeed scene),
       developmentDither = sceneDither scene
     }
 
 -- | The length of the scale bar in pixels: of a rod beside the hole, seen in the middle of
 -- the picture through flat space.
 scaleBarPixels :: Scene -> Double
-scaleBarPixels scene = sceneScaleBar scene / (XYZ.norm (posePosition (cameraPose (sceneCamera scene))) * pixelAngle (sceneProjection scene) (sceneCamera scene) (scenePicture scene))
+scaleBarPixels scene =
+  sceneScaleBar scene
+    / ( XYZ.norm (posePosition (cameraPose (sceneCamera scene)))
+          * pixelAngle (sceneProjection scene) (sceneCamera scene) (scenePicture scene)
+      )

@@ -72,19 +72,48 @@ shadowChecks =
 -- where it first crosses the plane.
 rayChecks :: [Check]
 rayChecks =
-  [ Check "light at spin 0.999, 2 r_s from the hole: lambda" (along kerrReportLambda) (-0.11419099438266608) 1e-13,
-    Check "light at spin 0.999, 2 r_s from the hole: Carter's constant" (along kerrReportCarter) 5.8640010489074874 1e-13,
-    Check "light at spin 0.999, 2 r_s from the hole: Mino time" (along kerrReportMinoTime) 3.528770788870398 1e-11,
-    Check "light at spin 0.999, 2 r_s from the hole: error of its direction (rad)" (along (missed . kerrReportFate)) 0 1e-11,
-    Check "light at spin 0.999, 2 r_s from the hole: first crossing's radius" (along (first crossingRadius)) 1.3619046375019687 1e-12,
-    Check "light at spin 0.999, 2 r_s from the hole: first crossing's g" (along (first crossingLight)) 0.6365990646497606 1e-12
+  [ Check
+      "light at spin 0.999, 2 r_s from the hole: lambda"
+      (along kerrReportLambda)
+      (-0.11419099438266608)
+      1e-13,
+    Check
+      "light at spin 0.999, 2 r_s from the hole: Carter's constant"
+      (along kerrReportCarter)
+      5.8640010489074874
+      1e-13,
+    Check
+      "light at spin 0.999, 2 r_s from the hole: Mino time"
+      (along kerrReportMinoTime)
+      3.528770788870398
+      1e-11,
+    Check
+      "light at spin 0.999, 2 r_s from the hole: error of its direction (rad)"
+      (along (missed . kerrReportFate))
+      0
+      1e-11,
+    Check
+      "light at spin 0.999, 2 r_s from the hole: first crossing's radius"
+      (along (first crossingRadius))
+      1.3619046375019687
+      1e-12,
+    Check
+      "light at spin 0.999, 2 r_s from the hole: first crossing's g"
+      (along (first crossingLight))
+      0.6365990646497606
+      1e-12
   ]
   where
     along value = withSpin 0.999 $ \hole ->
       maybe notANumber (value . kerrReport hole 100) $
-        lightRay hole (Place 2 (pi / 6)) AtRest (Direction (negate (cos (pi / 3))) (negate (sin (pi / 3))) (sin (pi / 3) * cos (pi / 2)))
+        lightRay
+          hole
+          (Place 2 (pi / 6))
+          AtRest
+          (Direction (negate (cos (pi / 3))) (negate (sin (pi / 3))) (sin (pi / 3) * cos (pi / 2)))
     missed fate = case fate of
-      Escaped direction -> XYZ.distance direction (XYZ 0.43260127730495184 (-0.26621387449028123) 0.86138627102072909)
+      Escaped direction ->
+        XYZ.distance direction (XYZ 0.43260127730495184 (-0.26621387449028123) 0.86138627102072909)
       _ -> notANumber
     first value report = case kerrReportCrossings report of
       crossing : _ -> value crossing

@@ -25,6 +25,7 @@ import BlackHole.Spacetime.Schwarzschild.Deflection
 import BlackHole.Spacetime.Schwarzschild.Leapfrog
 import BlackHole.Spacetime.Schwarzschild.LeapfrogStep
 import BlackHole.Spacetime.Schwarzschild.Orbit (orbit, orbitFate, orbitSweep)
+import BlackHole.Spacetime.Schwarzschild.StepRule
 import BlackHole.Spacetime.Types (Spacetime (..))
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ
@@ -62,9 +63,10 @@ criticalChecks =
     threshold captured = bisect captured 2 3
     coarse = threshold (capturedByLeapfrog 0.1)
     fine = threshold (capturedByLeapfrog 0.05)
-    capturedExactly b = case orbitFate (orbit 30 (negate (sqrt (1 - b * b * (29 / 27000)))) (b / 30)) of
-      Captured -> True
-      _ -> False
+    capturedExactly b =
+      case orbitFate (orbit 30 (negate (sqrt (1 - b * b * (29 / 27000)))) (b / 30)) of
+        Captured -> True
+        _ -> False
     capturedByLeapfrog l b = case pathEnd (EqualSteps l) b of
       Captured -> True
       _ -> False
@@ -180,7 +182,12 @@ ringShifts r =
 
 -- | The radius at which the flux of the disk is greatest.
 peakCheck :: Check
-peakCheck = Check "radius of the disk's greatest flux (Page and Thorne)" (fst (thinDiskPeak (thinDisk noSpin))) 4.7755 5e-5
+peakCheck =
+  Check
+    "radius of the disk's greatest flux (Page and Thorne)"
+    (fst (thinDiskPeak (thinDisk noSpin)))
+    4.7755
+    5e-5
 
 -- | CIE illuminant A is a black body at 2848 K on the scale of 1931, whose hc/k was
 -- 1.435e-2 m K. Its published chromaticity is a sum over fewer wavelengths and differs

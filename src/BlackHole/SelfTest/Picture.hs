@@ -8,6 +8,7 @@ where
 import BlackHole.Light.Radiance
 import BlackHole.Numeric.Angle
 import BlackHole.Numeric.Bisection (bisect)
+import BlackHole.Render.Exposed
 import BlackHole.Render.Film
 import BlackHole.Render.PixelArray (toPixelVector)
 import BlackHole.Render.Workers

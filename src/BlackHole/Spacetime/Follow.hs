@@ -35,6 +35,7 @@ import BlackHole.Spacetime.Schwarzschild.ExactPath
 import BlackHole.Spacetime.Schwarzschild.Leapfrog
 import BlackHole.Spacetime.Schwarzschild.LensDifferential
 import BlackHole.Spacetime.Schwarzschild.LensTable
+import BlackHole.Spacetime.Schwarzschild.StepRule
 import BlackHole.Spacetime.Schwarzschild.TablePath
 import BlackHole.Spacetime.Schwarzschild.Trajectory
 import BlackHole.Spacetime.Schwarzschild.TrajectoryPoints
@@ -91,7 +92,8 @@ tracingNeedsTable traced = case (tracingMethod traced, tracingSpacetime traced) 
 -- neighbours in a picture different ones.
 --
 -- Inlined, so that GHC compiles each gathering function into the loop along the path.
-follow :: Tracing -> Region -> Double -> SightLine -> (a -> PathSegment -> Continue a) -> a -> Followed a
+follow ::
+  Tracing -> Region -> Double -> SightLine -> (a -> PathSegment -> Continue a) -> a -> Followed a
 follow traced@(Tracing space method table _ _) region phase sight gather initial = case sight of
   RotatingSight hole azimuth ray ->
     let path = kerrPathWith precision hole azimuth ray
@@ -125,15 +127,22 @@ rotatingFate traced path azimuth ray = fromMaybe (kerrFate path) (tracingSkyTabl
 -- of the leapfrog's own.
 planeCrossings :: Tracing -> SightLine -> [PlaneCrossing (Maybe Momentum)]
 planeCrossings traced sight = case sight of
-  RotatingSight hole azimuth ray -> map (rotatingCrossing hole ray) (kerrPlanePoints (kerrPath hole azimuth ray))
-  SightLine photon observed -> maybe (leapfrogCrossings traced sight photon) trajectoryCrossings (planarTrajectory traced observed photon)
+  RotatingSight hole azimuth ray ->
+    map (rotatingCrossing hole ray) (kerrPlanePoints (kerrPath hole azimuth ray))
+  SightLine photon observed ->
+    maybe
+      (leapfrogCrossings traced sight photon)
+      trajectoryCrossings
+      (planarTrajectory traced observed photon)
 
 rotatingCrossing :: Spin -> LightRay -> KerrPoint -> PlaneCrossing (Maybe Momentum)
-rotatingCrossing hole ray (KerrPoint r _ azimuth grows _) = PlaneCrossing r (wrappedAngle (0.5 * pi - azimuth)) momentum
+rotatingCrossing hole ray (KerrPoint r _ azimuth grows _) =
+  PlaneCrossing r (wrappedAngle (0.5 * pi - azimuth)) momentum
   where
     radial = sqrt (max 0 (radialPotential hole ray r)) / kerrDelta hole r
     momentum
-      | r > horizonRadius hole = Just (Momentum (if grows then negate radial else radial) (rayLambda ray))
+      | r > horizonRadius hole =
+        Just (Momentum (if grows then negate radial else radial) (rayLambda ray))
       | otherwise = Nothing
 
 -- | The whole path of a photon, unless it is followed step by step.
@@ -147,22 +156,44 @@ planarTrajectory (Tracing space method table _ _) observed photon = case (method
 -- | Crossings interpolated between the middles of steps on either side of the plane.
 leapfrogCrossings :: Tracing -> SightLine -> Photon -> [PlaneCrossing (Maybe Momentum)]
 leapfrogCrossings traced sight (Photon start velocity) =
-  reverse (snd (followedState (follow traced everywhere 0 sight gather (Along start (XYZ.dot start velocity / XYZ.norm start), []))))
+  reverse
+    ( snd
+        ( followedState
+            ( follow
+                traced
+                everywhere
+                0
+                sight
+                gather
+                (Along start (XYZ.dot start velocity / XYZ.norm start), [])
+            )
+        )
+    )
   where
     everywhere = Region (1 / 0) 0 (1 / 0) 0 1 1 1
     gather (before@(Along (XYZ _ y0 _) _), found) segment =
-      Continue (here, [between (y0 / (y0 - y1)) before here | y0 * y1 < 0 || (y1 == 0 && y0 /= 0)] ++ found)
+      Continue
+        ( here,
+          [between (y0 / (y0 - y1)) before here | y0 * y1 < 0 || (y1 == 0 && y0 /= 0)] ++ found
+        )
       where
-        here = Along (segmentMiddle segment) (segmentRadialStep segment / segmentAffineLength segment)
+        here =
+          Along (segmentMiddle segment) (segmentRadialStep segment / segmentAffineLength segment)
         XYZ _ y1 _ = segmentMiddle segment
-        between t (Along place0 speed0) (Along place1 speed1) = PlaneCrossing r (planeAzimuth place) momentum
+        between t (Along place0 speed0) (Along place1 speed1) =
+          PlaneCrossing r (planeAzimuth place) momentum
           where
             place = XYZ.lerp t place0 place1
             r = XYZ.norm place
             speed = speed0 + t * (speed1 - speed0)
             -- The light itself travels the other way.
             momentum
-              | r > 1 = Just (Momentum (negate speed * r / (r - 1)) (momentumAzimuthal (segmentMomentum segment)))
+              | r > 1 =
+                Just
+                  ( Momentum
+                      (negate speed * r / (r - 1))
+                      (momentumAzimuthal (segmentMomentum segment))
+                  )
               | otherwise = Nothing
 
 -- | A place on a path, and dr/dl there, backwards in time.
@@ -189,7 +220,8 @@ skyJacobian traced beside sight direction = case (tracingSpacetime traced, sight
   (Schwarzschild, SightLine photon _)
     | Just (SightLine right _) <- beside (XY 0.01 0),
       Just (SightLine below _) <- beside (XY 0 0.01),
-      Just (LensChanges alongX alongY) <- lensChanges (tracingTable traced) photon direction right below ->
+      Just (LensChanges alongX alongY) <-
+        lensChanges (tracingTable traced) photon direction right below ->
       Just (LensChanges ((1 / 0.01) *^ alongX) ((1 / 0.01) *^ alongY))
   (_, RotatingSight _ azimuth ray)
     | Just table <- tracingSkyTable traced,
@@ -214,6 +246,8 @@ skyJacobian traced beside sight direction = case (tracingSpacetime traced, sight
 shadowOffset :: Tracing -> SightLine -> Maybe Double
 shadowOffset (Tracing space _ table rotating _) sight = case (space, sight) of
   (Schwarzschild, SightLine photon _) -> Just (criticalOffset table photon)
-  (_, RotatingSight _ _ ray) | Just offset <- rotating >>= \known -> tabulatedOffset known ray -> Just offset
-  (_, RotatingSight hole _ ray) -> (* negate (2.6 / max 2.6 (rayRadius ray))) <$> photonOrbitOffset hole ray
+  (_, RotatingSight _ _ ray)
+    | Just offset <- rotating >>= \known -> tabulatedOffset known ray -> Just offset
+  (_, RotatingSight hole _ ray) ->
+    (* negate (2.6 / max 2.6 (rayRadius ray))) <$> photonOrbitOffset hole ray
   _ -> Nothing

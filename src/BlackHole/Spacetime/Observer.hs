@@ -17,6 +17,8 @@ module BlackHole.Spacetime.Observer
     sightFrequency,
     sightPhoton,
     kerrPlace,
+    Constants (..),
+    sightConstants,
     Eye,
     eye,
     eyePlace,
@@ -95,7 +97,8 @@ observerExists space observer place = case space of
     | Just motion <- kerrMotion observer,
       motion /= InFreeFall ->
       -- A direction against which no observer's motion turns the energy negative.
-      isJust (lightRay hole (kerrPlace place) motion (Direction 0 0 (negate (signum (spinLength hole)))))
+      isJust
+        (lightRay hole (kerrPlace place) motion (Direction 0 0 (negate (signum (spinLength hole)))))
   _ -> r > observerRange space observer (placePolarAngle (kerrPlace place))
   where
     r = XYZ.norm place
@@ -145,6 +148,20 @@ sightPhoton :: SightLine -> Maybe Photon
 sightPhoton (SightLine photon _) = Just photon
 sightPhoton RotatingSight {} = Nothing
 
+-- | What does not change along a light path, for unit energy at infinity.
+data Constants
+  = -- | @x × v@. Its length is the impact parameter in Schwarzschild radii.
+    AngularMomentum !XYZ
+  | -- | Around a rotating hole: the angular momentum λ about the axis, in Schwarzschild
+    -- radii, and Carter's constant, in their squares.
+    LambdaAndCarter !Double !Double
+  deriving (Eq, Show)
+
+-- | The constants of the light path that a line of sight follows.
+sightConstants :: SightLine -> Constants
+sightConstants (SightLine photon _) = AngularMomentum (angularMomentum photon)
+sightConstants (RotatingSight _ _ ray) = LambdaAndCarter (rayLambda ray) (rayEta ray)
+
 -- | An observer at a position, prepared with everything that all lines of sight share.
 data Eye = Eye
   { _eyeKind :: !EyeKind,
@@ -177,7 +194,15 @@ data Rotating = Rotating !Spin !Seer !Azimuth !XYZ !XYZ
 
 -- | Prepares an observer at a position for 'sightFrom'.
 eye :: Spacetime -> Observer -> XYZ -> Eye
-eye space observer place = Eye kind place radial (sqrt (1 - 1 / r)) (sqrt (1 / r)) (orbitDirection radial) (sqrt (1 / (2 * (r - 1))))
+eye space observer place =
+  Eye
+    kind
+    place
+    radial
+    (sqrt (1 - 1 / r))
+    (sqrt (1 / r))
+    (orbitDirection radial)
+    (sqrt (1 / (2 * (r - 1))))
   where
     r = XYZ.norm place
     radial = (1 / r) *^ place
@@ -187,7 +212,9 @@ eye space observer place = Eye kind place radial (sqrt (1 - 1 / r)) (sqrt (1 / r
         | r <= observerRange Schwarzschild observer 0 || isNaN r -> Nobody
         | otherwise -> Near observer
       Kerr hole -> case kerrMotion observer of
-        Just motion | observerExists space observer place -> NearRotating (rotating hole motion place)
+        Just motion
+          | observerExists space observer place ->
+            NearRotating (rotating hole motion place)
         _ -> Nobody
 
 rotating :: Spin -> Motion -> XYZ -> Rotating
@@ -220,8 +247,15 @@ sightFrom prepared !direction = case kind of
   Near CounterOrbiting -> orbiting (XYZ.negated azimuthal)
   NearRotating (Rotating hole rotator azimuth southward eastward) ->
     RotatingSight hole azimuth
-      <$> raySeen rotator (Direction (XYZ.dot radial direction) (XYZ.dot southward direction) (XYZ.dot eastward direction))
-  Near Falling -> fromEnergy (1 + infall * XYZ.dot radial direction) (direction ^+^ infall *^ radial)
+      <$> raySeen
+        rotator
+        ( Direction
+            (XYZ.dot radial direction)
+            (XYZ.dot southward direction)
+            (XYZ.dot eastward direction)
+        )
+  Near Falling ->
+    fromEnergy (1 + infall * XYZ.dot radial direction) (direction ^+^ infall *^ radial)
   where
     -- Makes GHC pass the components of the direction one by one instead of those of the
     -- prepared observer, so that no direction is allocated.

@@ -51,7 +51,8 @@ data Launch = Launch
 -- neighbour within 1e-9 radians, in an arbitrary plane, replaces it.
 launch :: Double -> Photon -> Launch
 launch !r (Photon place velocity)
-  | across2 > 1e-18 * XYZ.normSquared velocity = let t = sqrt across2 in Launch (PathPlane e1 ((1 / t) *^ across)) radial t
+  | across2 > 1e-18 * XYZ.normSquared velocity =
+    let t = sqrt across2 in Launch (PathPlane e1 ((1 / t) *^ across)) radial t
   | otherwise = Launch (PathPlane e1 (XYZ.perpendicular e1)) radial (1e-9 * XYZ.norm velocity)
   where
     !e1 = (1 / r) *^ place
@@ -74,4 +75,5 @@ firstCrossing (PathPlane (XYZ _ height1 _) (XYZ _ height2 _))
 
 -- | Whether the path crosses the disk's plane rather than lying in it.
 meetsDiskPlane :: PathPlane -> Bool
-meetsDiskPlane (PathPlane (XYZ _ height1 _) (XYZ _ height2 _)) = max (abs height1) (abs height2) > 1e-12
+meetsDiskPlane (PathPlane (XYZ _ height1 _) (XYZ _ height2 _)) =
+  max (abs height1) (abs height2) > 1e-12

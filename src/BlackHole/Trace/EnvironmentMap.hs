@@ -17,7 +17,6 @@ module BlackHole.Trace.EnvironmentMap
     environmentMapFromPixels,
     environmentMapFromDirections,
     environmentMapFromSources,
-    environmentMapLevels,
     environmentMapMean,
     environmentMapRadiance,
     turned,
@@ -54,7 +53,15 @@ ringsOf :: Int -> U.Vector Int
 ringsOf 1 = U.singleton 1
 ringsOf rings = U.generate rings fieldsIn
   where
-    fieldsIn i = max 4 (ceiling (2 * fromIntegral rings * sin (pi * (fromIntegral i + 0.5) / fromIntegral rings) - 1e-9 :: Double))
+    fieldsIn i =
+      max
+        4
+        ( ceiling
+            ( 2 * fromIntegral rings * sin (pi * (fromIntegral i + 0.5) / fromIntegral rings)
+                - 1e-9 ::
+                Double
+            )
+        )
 
 -- | Number of rings of all levels, finest first.
 ladder :: Int -> [Int]
@@ -136,7 +143,8 @@ addTo fields field weight (Radiance r g b) = do
   add 1 g
   add 2 b
   where
-    add channel value = M.unsafeModify fields (+ double2Float (weight * value)) (3 * field + channel)
+    add channel value =
+      M.unsafeModify fields (+ double2Float (weight * value)) (3 * field + channel)
 {-# INLINE addTo #-}
 
 -- | @spread weight m n source fields start@ adds a ring of @m@ fields to a ring
@@ -201,19 +209,6 @@ fieldRadiance fields field = Radiance (channel 0) (channel 1) (channel 2)
     channel c = float2Double (U.unsafeIndex fields (3 * field + c))
 {-# INLINE fieldRadiance #-}
 
--- | The mean radiance over the sphere of every level, finest first: equal up to
--- rounding.
-environmentMapLevels :: EnvironmentMap -> [Radiance]
-environmentMapLevels image = [levelMean level rings | (level, rings) <- zip [0 ..] (U.toList (imageRings image))]
-  where
-    levelMean level rings = foldl (<+>) black (map (ringLight level rings) [0 .. rings - 1])
-    ringLight level rings i =
-      let ring = imageFirstRing image U.! level + i
-          start = imageRingStart image U.! ring
-          n = imageRingStart image U.! (ring + 1) - start
-          weight = 0.5 * (cosineAt rings i - cosineAt rings (i + 1)) / fromIntegral n
-       in scaleRadiance weight (foldl (<+>) black (map (fieldRadiance (imageFields image)) [start .. start + n - 1]))
-
 -- | The mean radiance over the sphere: the one field of the coarsest level.
 environmentMapMean :: EnvironmentMap -> Radiance
 environmentMapMean image = fieldRadiance (imageFields image) (U.last (imageRingStart image) - 1)
@@ -276,7 +271,11 @@ blurredRadiance :: EnvironmentMap -> Double -> XYZ -> Radiance
 blurredRadiance image size direction
   | size <= finestField || top <= 0 = levelRadiance image 0 place
   | level >= top = levelRadiance image top place
-  | otherwise = mix (height - fromIntegral level) (levelRadiance image level place) (levelRadiance image (level + 1) place)
+  | otherwise =
+    mix
+      (height - fromIntegral level)
+      (levelRadiance image level place)
+      (levelRadiance image (level + 1) place)
   where
     place = placeOf direction
     finestField = pi / fromIntegral (U.unsafeIndex (imageRings image) 0)
@@ -293,7 +292,8 @@ blurredRadiance image size direction
 environmentMapRadiance :: EnvironmentMap -> RayDifferential -> Radiance
 environmentMapRadiance image differential
   -- Most beams are narrower than the finest field either way.
-  | differentialExtent differential <= fieldSize image && directed d = levelRadiance image 0 (placeOf d)
+  | differentialExtent differential <= fieldSize image && directed d =
+    levelRadiance image 0 (placeOf d)
   | isNaN (XYZ.norm d) || isNaN wholeLength || isInfinite wholeLength = environmentMapMean image
   | taps <= 1 = blurredRadiance image long d
   | otherwise = gather 0 0 black
@@ -310,7 +310,10 @@ environmentMapRadiance image differential
     -- units of its longer axis.
     lack = max 0 (1 - short * short / (long * long))
     reach = 0.9 * sqrt lack
-    taps = if long <= 1.1 * short then 1 else min maximumTaps (2 + truncate (2 * reach * long / short)) :: Int
+    taps =
+      if long <= 1.1 * short
+        then 1
+        else min maximumTaps (2 + truncate (2 * reach * long / short)) :: Int
     gather :: Int -> Double -> Radiance -> Radiance
     gather !i !total !light
       | i >= taps = scaleRadiance (1 / total) light

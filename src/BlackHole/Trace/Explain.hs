@@ -6,7 +6,6 @@ module BlackHole.Trace.Explain
   ( Explanation (..),
     Sighting (..),
     Arrival (..),
-    Constants (..),
     opticalDepth,
     Shown (..),
     explainPixel,
@@ -23,10 +22,8 @@ import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
 import BlackHole.Spacetime.Fate (Fate)
 import BlackHole.Spacetime.Follow (planeCrossings)
-import BlackHole.Spacetime.Kerr.Sight (LightRay (..))
 import BlackHole.Spacetime.LightPath
-import BlackHole.Spacetime.Observer (SightLine (..), sightFrequency)
-import BlackHole.Spacetime.Photon (angularMomentum)
+import BlackHole.Spacetime.Observer (Constants, SightLine, sightConstants, sightFrequency)
 import BlackHole.Spacetime.PlaneCrossing (PlaneCrossing)
 import BlackHole.Trace.Adaptive
 import BlackHole.Trace.Estimate
@@ -89,15 +86,6 @@ data Arrival = Arrival
   }
   deriving (Eq, Show)
 
--- | What does not change along a light path, for unit energy at infinity.
-data Constants
-  = -- | @x × v@. Its length is the impact parameter in Schwarzschild radii.
-    AngularMomentum !XYZ
-  | -- | Around a rotating hole: the angular momentum λ about the axis, in Schwarzschild
-    -- radii, and Carter's constant, in their squares.
-    LambdaAndCarter !Double !Double
-  deriving (Eq, Show)
-
 -- | The optical depth of the gas along the path: −ln of the transmittance, at least 0,
 -- infinite if nothing gets through.
 opticalDepth :: Arrival -> Double
@@ -123,7 +111,8 @@ explainPixel traced column row
     Just
       Explanation
         { explainedPixel = (column, row),
-          explainedMiddle = sighting scene traced Nothing (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)),
+          explainedMiddle =
+            sighting scene traced Nothing (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)),
           explainedSamples =
             [ (sighting scene traced (pixelSky traced column row) place) {sightingWeight = weight}
               | Sample place weight <- pixelSamples traced (estimateCount estimate) column row
@@ -164,12 +153,13 @@ arrival scene traced shared point sight =
   case counted traced point sight of
     Followed fate (Counted samples (Gathered light transmittance)) steps ->
       Arrival
-        { arrivalConstants = case sight of
-            SightLine photon _ -> AngularMomentum (angularMomentum photon)
-            RotatingSight _ _ ray -> LambdaAndCarter (rayLambda ray) (rayEta ray),
+        { arrivalConstants = sightConstants sight,
           arrivalFrequency = sightFrequency sight,
           arrivalFate = fate,
-          arrivalCrossings = [crossingRedshift (gasFlow (sceneSpacetime scene)) sight crossing <$ crossing | crossing <- planeCrossings (tracerPaths traced) sight],
+          arrivalCrossings =
+            [ crossingRedshift (gasFlow (sceneSpacetime scene)) sight crossing <$ crossing
+              | crossing <- planeCrossings (tracerPaths traced) sight
+            ],
           arrivalSteps = steps,
           arrivalGasSamples = samples,
           arrivalTransmittance = transmittance,

@@ -27,7 +27,6 @@ module BlackHole.Trace.GasField
     seenFrom,
     Here (..),
     gasAt,
-    logDensity,
     faintest,
   )
 where
@@ -283,12 +282,6 @@ haze field !profile !plain
   where
     e = profile - plain * plain * fieldHazeNarrowness field
 {-# INLINE haze #-}
-
--- | @logDensity field place r len@ is the natural logarithm of the density over that of
--- dense gas; far below 'faintest' without gas.
-logDensity :: GasField -> XYZ -> Double -> Double -> Double
-logDensity field place r len = case gasAt field place r len 1 of
-  Here dense _ -> if dense > 0 then log dense else 2 * faintest
 
 -- | The noise that displaces the arms, from −1 to 1. It rotates with them.
 displacement :: GasField -> XYZ -> Double

@@ -16,12 +16,16 @@ gridRadiance (XYZ x y z)
     -- borders, and about the planes midway between +x and ±z, which are not.
     shade = if even (signs + meridians + parallels) then 0.8 else 0.15
     signs = passed x 0 + passed y 0 + passed z 0
-    meridians = passed (tan10 * far) near + passed (tan20 * far) near + passed (tan30 * far) near + passed (tan40 * far) near
+    meridians =
+      passed (tan10 * far) near + passed (tan20 * far) near + passed (tan30 * far) near
+        + passed (tan40 * far) near
     far = max (abs x) (abs z)
     near = min (abs x) (abs z)
     parallels
       | abs y < sin40 = passed sin10 (abs y) + passed sin20 (abs y) + passed sin30 (abs y)
-      | otherwise = 4 + passed sin50 (abs y) + passed sin60 (abs y) + passed sin70 (abs y) + passed sin80 (abs y)
+      | otherwise =
+        4 + passed sin50 (abs y) + passed sin60 (abs y) + passed sin70 (abs y)
+          + passed sin80 (abs y)
     passed border v = if v > border then 1 else 0 :: Int
 
 tan10, tan20, tan30, tan40 :: Double

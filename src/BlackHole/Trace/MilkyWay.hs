@@ -29,7 +29,9 @@ milkyWay (Seed seed) = environmentMapFromDirections milkyWayRings (light . toGal
             -- Sharp ridges where the noise crosses zero: filaments of dust.
             filaments = max 0 (1 - 5.5 * abs lanes)
             shade = max 0 (0.3 + 1.9 * perlin patches (patchMiddle ^+^ 4.1 *^ d))
-            depth = 1.9 * exp (-(square ((waver - 0.012) / 0.085))) * (0.4 + 0.6 * bulge + 0.35 * (1 + c)) * (0.9 * shade + 0.7 * filaments * filaments)
+            depth =
+              1.9 * exp (-(square ((waver - 0.012) / 0.085))) * (0.4 + 0.6 * bulge + 0.35 * (1 + c))
+                * (0.9 * shade + 0.7 * filaments * filaments)
          in reddened depth (scaleRadiance (glow + halo p) warm)
       where
         bulge = exp (-(1 - c) / 0.22)
@@ -45,14 +47,20 @@ milkyWay (Seed seed) = environmentMapFromDirections milkyWayRings (light . toGal
     warm = Radiance 1 0.81 0.6
     halo p = 0.035 * exp (negate (abs p / 0.4))
     -- Dust takes more of the blue light than of the red one.
-    reddened depth (Radiance r g b) = Radiance (r * exp (-(0.8 * depth))) (g * exp (-depth)) (b * exp (-(1.25 * depth)))
+    reddened depth (Radiance r g b) =
+      Radiance (r * exp (-(0.8 * depth))) (g * exp (-depth)) (b * exp (-(1.25 * depth)))
     perlin noise = cachedPerlin3 noise 9
     clouds = table 0 3 cloudMiddle 3.1
     dust = table 1 4 dustMiddle 5.3
     patches = table 2 3 patchMiddle 4.1
     -- For the ball that is asked for.
     table n count (XYZ x y z) radius =
-      cacheNoise 100000 (Seed (seed + n)) (normalised (octaves unitLevel count 0.55)) (XYZ (x - radius) (y - radius) (z - radius)) (XYZ (x + radius) (y + radius) (z + radius))
+      cacheNoise
+        100000
+        (Seed (seed + n))
+        (normalised (octaves unitLevel count 0.55))
+        (XYZ (x - radius) (y - radius) (z - radius))
+        (XYZ (x + radius) (y + radius) (z + radius))
     cloudMiddle = offset 3.37
     dustMiddle = offset 1.71
     patchMiddle = offset 7.13

@@ -71,6 +71,10 @@ addRingSamples prepared ring from to estimate column row = go from estimate
 -- more of them where the images of the gas are thinner.
 ringPoint :: Tracer -> PhotonRing -> Int -> Int -> Int -> Sample
 ringPoint traced (PhotonRing normal growth) =
-  curveSample (sceneFilter scene) (sceneSeed scene) normal (fmap (negate . (/ growth)) . tracedOffset traced)
+  curveSample
+    (sceneFilter scene)
+    (sceneSeed scene)
+    normal
+    (fmap (negate . (/ growth)) . tracedOffset traced)
   where
     scene = tracerScene traced

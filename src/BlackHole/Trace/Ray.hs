@@ -52,7 +52,13 @@ followLight :: Tracer -> XY -> SightLine -> Followed Gathered
 followLight traced point sight = case tracerMatter traced of
   Gaseous glowing ->
     let !observed = sightFrequency sight
-     in follow (tracerPaths traced) (tracerRegion traced) (stepPhase point) sight (gatherGas glowing observed) nothingYet
+     in follow
+          (tracerPaths traced)
+          (tracerRegion traced)
+          (stepPhase point)
+          sight
+          (gatherGas glowing observed)
+          nothingYet
   Vacuum -> Followed (pathFate (tracerPaths traced) sight) nothingYet 0
   Checks disk -> followSight traced point sight (gatherParity disk) nothingYet
 
@@ -64,20 +70,21 @@ stepPhase (XY x y) = 0.5 + turnFraction (0.7548776662466927 * x + 0.569840290998
 
 -- | 'sightRadiance' of three points, from three leapfrogs interleaved on one core.
 threeSights :: Tracer -> XY -> XY -> XY -> (Radiance, Radiance, Radiance)
-threeSights traced p0 p1 p2 = case (tracedSight traced p0, tracedSight traced p1, tracedSight traced p2) of
-  (Just s0@(SightLine photon0 _), Just s1@(SightLine photon1 _), Just s2@(SightLine photon2 _)) ->
-    let gathering photon sight = (photon, tracedGas traced sight)
-        (f0, f1, f2) =
-          followThree
-            (sceneLeapfrog scene)
-            (sceneSpacetime scene)
-            (tracerRegion traced)
-            (gathering photon0 s0)
-            (gathering photon1 s1)
-            (gathering photon2 s2)
-            nothingYet
-     in (seen traced Nothing p0 s0 f0, seen traced Nothing p1 s1 f1, seen traced Nothing p2 s2 f2)
-  _ -> (sightRadiance traced p0, sightRadiance traced p1, sightRadiance traced p2)
+threeSights traced p0 p1 p2 =
+  case (tracedSight traced p0, tracedSight traced p1, tracedSight traced p2) of
+    (Just s0@(SightLine photon0 _), Just s1@(SightLine photon1 _), Just s2@(SightLine photon2 _)) ->
+      let gathering photon sight = (photon, tracedGas traced sight)
+          (f0, f1, f2) =
+            followThree
+              (sceneLeapfrog scene)
+              (sceneSpacetime scene)
+              (tracerRegion traced)
+              (gathering photon0 s0)
+              (gathering photon1 s1)
+              (gathering photon2 s2)
+              nothingYet
+       in (seen traced Nothing p0 s0 f0, seen traced Nothing p1 s1 f1, seen traced Nothing p2 s2 f2)
+    _ -> (sightRadiance traced p0, sightRadiance traced p1, sightRadiance traced p2)
   where
     scene = tracerScene traced
 
@@ -140,8 +147,16 @@ pixelSky traced column row = case tracerSky traced of
     direction <- escapeDirection traced sight
     differential <- tracedDifferential traced point sight direction
     let area = differentialSolidAngle differential
-        breadth = XYZ.dot (differentialAlongX differential) (differentialAlongX differential) + XYZ.dot (differentialAlongY differential) (differentialAlongY differential)
-    pure (SkyPatch point differential (0.01 * area * area / breadth) (shader (skyShift (tracerSkyShift traced) (sightFrequency sight)) differential))
+        breadth =
+          XYZ.dot (differentialAlongX differential) (differentialAlongX differential)
+            + XYZ.dot (differentialAlongY differential) (differentialAlongY differential)
+    pure
+      ( SkyPatch
+          point
+          differential
+          (0.01 * area * area / breadth)
+          (shader (skyShift (tracerSkyShift traced) (sightFrequency sight)) differential)
+      )
   _ -> Nothing
 
 -- | A patch's light for a line of sight through a point of the picture that escapes in
@@ -170,7 +185,8 @@ tracedSky prepared point sight fate = case fate of
     let !shift = skyShift (tracerSkyShift traced) (sightFrequency sight)
      in case tracerSky traced of
           ByDirection shader -> shader shift direction
-          ByDifferential shader -> maybe black (shader shift) (tracedDifferential traced point sight direction)
+          ByDifferential shader ->
+            maybe black (shader shift) (tracedDifferential traced point sight direction)
   _ -> black
   where
     -- As in 'sharingRadiance'.
@@ -181,9 +197,10 @@ tracedSky prepared point sight fate = case fate of
 -- they are not known, the paths through points beside it. 'Nothing' if no light arrives
 -- from the sky.
 tracedDifferential :: Tracer -> XY -> SightLine -> XYZ -> Maybe RayDifferential
-tracedDifferential prepared point sight direction = case skyJacobian (tracerPaths traced) beside sight direction of
-  Just (LensChanges alongX alongY) -> Just (RayDifferential direction alongX alongY)
-  Nothing -> differentialByDifferences (beside >=> escapeDirection traced) (XY 0 0)
+tracedDifferential prepared point sight direction =
+  case skyJacobian (tracerPaths traced) beside sight direction of
+    Just (LensChanges alongX alongY) -> Just (RayDifferential direction alongX alongY)
+    Nothing -> differentialByDifferences (beside >=> escapeDirection traced) (XY 0 0)
   where
     -- As in 'sharingRadiance'.
     traced = lazy prepared

@@ -97,7 +97,12 @@ differentialByDifferences escape (XY x y) = do
         (Just e, _) -> tangent d ((1 / step) *^ (e ^-^ d))
         (Nothing, Just e) -> tangent d ((1 / step) *^ (d ^-^ e))
         (Nothing, Nothing) -> across d
-  pure (RayDifferential d (change (XY (x + step) y) (XY (x - step) y)) (change (XY x (y + step)) (XY x (y - step))))
+  pure
+    ( RayDifferential
+        d
+        (change (XY (x + step) y) (XY (x - step) y))
+        (change (XY x (y + step)) (XY x (y - step)))
+    )
   where
     step = 1e-3
     tangent d v = v ^-^ XYZ.dot d v *^ d

@@ -59,11 +59,18 @@ renderStatistics picture scene (first, rows)
   | otherwise = do
     traced <- tracerWithSky picture scene
     exact <- tracerWithSky picture scene {sceneIntegrator = Exact, sceneDisk = Nothing}
-    let looks = [look traced exact column row | row <- spread first rows down, column <- spread 0 width across]
+    let looks =
+          [ look traced exact column row
+            | row <- spread first rows down,
+              column <- spread 0 width across
+          ]
     pure
       RenderStatistics
         { statisticsLines = length looks,
-          statisticsRays = if adaptive then meanOf [fromIntegral (lookRays l) | l <- looks] else Mean (fromIntegral (sceneSamples scene)) 0,
+          statisticsRays =
+            if adaptive
+              then meanOf [fromIntegral (lookRays l) | l <- looks]
+              else Mean (fromIntegral (sceneSamples scene)) 0,
           statisticsSteps = meanOf [fromIntegral (lookSteps l) | l <- looks],
           statisticsGasSamples = meanOf [fromIntegral (lookGas l) | l <- looks],
           statisticsDirectionError = maximum (0 : [e | Look _ _ _ (Apart e) <- looks]),
@@ -78,7 +85,8 @@ renderStatistics picture scene (first, rows)
     down = max 1 (min rows (round (fromIntegral rows / side)))
     look traced exact !column !row =
       let point = XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)
-          rays = if adaptive then estimateCount (pixelEstimate traced column row) else sceneSamples scene
+          rays =
+            if adaptive then estimateCount (pixelEstimate traced column row) else sceneSamples scene
        in case (tracedSight traced point, tracedSight exact point) of
             (Just sight, Just sight') ->
               let (fate, steps, gasSamples) = gatheredAlong traced point sight
@@ -108,6 +116,16 @@ apart a b
 meanOf :: [Double] -> Mean
 meanOf values = case length values of
   0 -> Mean 0 0
-  n -> Mean mean (if n < 2 then 0 else sqrt (sum [(v - mean) ^ (2 :: Int) | v <- values] / (fromIntegral n * fromIntegral (n - 1))))
+  n ->
+    Mean
+      mean
+      ( if n < 2
+          then 0
+          else
+            sqrt
+              ( sum [(v - mean) ^ (2 :: Int) | v <- values]
+                  / (fromIntegral n * fromIntegral (n - 1))
+              )
+      )
     where
       mean = sum values / fromIntegral n

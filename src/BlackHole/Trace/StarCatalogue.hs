@@ -43,10 +43,11 @@ starNumbers = 5
 -- kelvin.
 data Star = Star !XYZ !Double !Double
 
--- | The catalogue with this many stars, each computed from its number, counted from 0; the magnitudes
--- must not fall. All idle processors share the work.
+-- | The catalogue with this many stars, each computed from its number, counted from 0; the
+-- magnitudes must not fall. All idle processors share the work.
 catalogueOf :: Int -> (Int -> Star) -> StarCatalogue
-catalogueOf count starAt = StarCatalogue (U.concat (inParallel (map piece [0, pieceSize .. count - 1])))
+catalogueOf count starAt =
+  StarCatalogue (U.concat (inParallel (map piece [0, pieceSize .. count - 1])))
   where
     pieceSize = 5000
     piece from = U.create $ do

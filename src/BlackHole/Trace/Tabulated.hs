@@ -29,7 +29,12 @@ tabulate :: Int -> Int -> Double -> Double -> (Double -> [Double]) -> Tabulated
 tabulate columns count start end functions =
   Tabulated start end (1 / spacing) columns $
     -- One extra row, so that the end has a successor.
-    primArrayFromList (concat [take columns (functions (start + spacing * fromIntegral (min (count - 1) i))) | i <- [0 .. count]])
+    primArrayFromList
+      ( concat
+          [ take columns (functions (start + spacing * fromIntegral (min (count - 1) i)))
+            | i <- [0 .. count]
+          ]
+      )
   where
     spacing = (end - start) / fromIntegral (count - 1)
 

@@ -21,7 +21,8 @@ spec = do
     it "is right-handed about its axis: a quarter turn about +y leads from +z to +x" $
       place (Orbit (XYZ 0 2 0) 1 Linear) 4 1 (onSphere 20 90 90) `isNear` XYZ 20 0 0
     it "changes the azimuth alone about the disk's axis, and closes" $
-      poseAt (Orbit (XYZ 0 (-1) 0) 1 Linear) 2 2 (onSphere 20 80 90) `shouldBe` Right (Around 20 (Degrees 80) (Degrees 450))
+      poseAt (Orbit (XYZ 0 (-1) 0) 1 Linear) 2 2 (onSphere 20 80 90)
+        `shouldBe` Right (Around 20 (Degrees 80) (Degrees 450))
     prop "keeps the distance to the hole and the angle with any axis, and is periodic" $
       forAll ((,,) <$> direction <*> direction <*> inRange 0 1) $ \(axis, at, s) ->
         let scene = looking (10 `times` at) (XYZ 0 0 0)
@@ -49,7 +50,9 @@ spec = do
       let fall = alongPath (FreeFall (ProperTimePerSecond 2)) 100
       fmap sceneObserver (fall 1 (onSphere 9 80 90)) `shouldBe` Right Falling
       case fall (26 / 3) (onSphere 9 80 90) of
-        Right scene | Around r i a <- cameraPose (sceneCamera scene) -> (r `shouldBeWithin` (1e-13, 1)) >> ((i, a) `shouldBe` (Degrees 80, Degrees 90))
+        Right scene
+          | Around r i a <- cameraPose (sceneCamera scene) ->
+            (r `shouldBeWithin` (1e-13, 1)) >> ((i, a) `shouldBe` (Degrees 80, Degrees 90))
         _ -> expectationFailure "no such scene"
       either (const True) (const False) (fall 9 (onSphere 9 80 90)) `shouldBe` True
     it "ends where it is told to" $
@@ -64,15 +67,21 @@ spec = do
     it "takes the gas's direction at the geodesic's pace" $ do
       let r = 20
           omega = sqrt (1 / (2 * r * r * r)) / sqrt (1 - 1.5 / r)
-      place (CircularOrbit 3) 10 2 (onSphere r 90 90) `isNear` XYZ (r * sin (6 * omega)) 0 (r * cos (6 * omega))
-      fmap sceneObserver (alongPath (CircularOrbit 1) 10 2 (onSphere r 90 90)) `shouldBe` Right Orbiting
+      place (CircularOrbit 3) 10 2 (onSphere r 90 90)
+        `isNear` XYZ (r * sin (6 * omega)) 0 (r * cos (6 * omega))
+      fmap sceneObserver (alongPath (CircularOrbit 1) 10 2 (onSphere r 90 90))
+        `shouldBe` Right Orbiting
     it "is refused off the disk's plane and within the photon sphere" $
-      map (either (const False) (const True) . poseAt (CircularOrbit 1) 10 0) [onSphere 20 80 90, onSphere 1.4 90 90] `shouldBe` [False, False]
+      map
+        (either (const False) (const True) . poseAt (CircularOrbit 1) 10 0)
+        [onSphere 20 80 90, onSphere 1.4 90 90]
+        `shouldBe` [False, False]
   where
     onSphere r i a = posed (Around r (Degrees i) (Degrees a))
     looking p t = posed (LookAt p t)
     posed p = defaultScene {sceneCamera = (sceneCamera defaultScene) {cameraPose = p}}
-    poseAt path duration seconds scene = cameraPose . sceneCamera <$> alongPath path duration seconds scene
+    poseAt path duration seconds scene =
+      cameraPose . sceneCamera <$> alongPath path duration seconds scene
     placeOf = posePosition
     place path duration seconds scene = placeOf <$> poseAt path duration seconds scene
     isNear found expected = case found of

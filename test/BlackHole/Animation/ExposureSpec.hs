@@ -2,7 +2,7 @@ module BlackHole.Animation.ExposureSpec (spec) where
 
 import BlackHole.Animation.Exposure
 import BlackHole.Numeric.Angle
-import BlackHole.Render.Film
+import BlackHole.Render.Exposed
 import BlackHole.Render.PixelArray (toPixelVector)
 import BlackHole.Render.Workers
 import BlackHole.Scene.Camera
@@ -22,22 +22,50 @@ spec = do
     fmap (toPixelVector . exposedLight) exposed `shouldBe` fmap toPixelVector alone
   it "is the mean of the light of several, not of what a display shows of it" $ do
     films <- mapM (exposeWhole oneWorker . turned) [0, 5, 10]
-    exposed <- exposeMotionBlur Nothing oneWorker (const (pure ())) (turned 0 :| [turned 5, turned 10]) (0, 9)
+    exposed <-
+      exposeMotionBlur
+        Nothing
+        oneWorker
+        (const (pure ()))
+        (turned 0 :| [turned 5, turned 10])
+        (0, 9)
     case (mapM (fmap toPixelVector) films, toPixelVector . exposedLight <$> exposed) of
       (Just [a, b, c], Just mean) -> do
-        Vector.maximum (Vector.zipWith4 (\x y z m -> abs ((x + y + z) / 3 - m) / (1 + abs m)) a b c mean) `shouldSatisfy` (< 1e-6)
-        Vector.length (Vector.filter (> 0.01) (Vector.zipWith (\x m -> abs (x - m)) a mean)) `shouldSatisfy` (> 20)
+        Vector.maximum
+          (Vector.zipWith4 (\x y z m -> abs ((x + y + z) / 3 - m) / (1 + abs m)) a b c mean)
+          `shouldSatisfy` (< 1e-6)
+        Vector.length (Vector.filter (> 0.01) (Vector.zipWith (\x m -> abs (x - m)) a mean))
+          `shouldSatisfy` (> 20)
       _ -> expectationFailure "no film"
   it "counts the samples of all scenes" $ do
-    exposed <- exposeMotionBlur Nothing oneWorker (const (pure ())) (turned 0 :| [turned 5, turned 10]) (0, 9)
-    fmap (fmap (Vector.toList . toPixelVector) . exposedCounts) exposed `shouldBe` Just (Just (replicate (16 * 9) 3))
+    exposed <-
+      exposeMotionBlur
+        Nothing
+        oneWorker
+        (const (pure ()))
+        (turned 0 :| [turned 5, turned 10])
+        (0, 9)
+    fmap (fmap (Vector.toList . toPixelVector) . exposedCounts) exposed
+      `shouldBe` Just (Just (replicate (16 * 9) 3))
   it "tells of growing parts up to the whole" $ do
     parts <- newIORef []
-    _ <- exposeMotionBlur Nothing oneWorker (\part -> modifyIORef parts (part :)) (turned 0 :| [turned 5]) (0, 9)
+    _ <-
+      exposeMotionBlur
+        Nothing
+        oneWorker
+        (\part -> modifyIORef parts (part :))
+        (turned 0 :| [turned 5])
+        (0, 9)
     told <- readIORef parts
     (take 1 told, and (zipWith (>) told (drop 1 told))) `shouldBe` ([1], True)
   it "does not mix pictures of different size" $ do
-    exposed <- exposeMotionBlur Nothing oneWorker (const (pure ())) (turned 0 :| [(turned 0) {scenePicture = Picture 16 8}]) (0, 9)
+    exposed <-
+      exposeMotionBlur
+        Nothing
+        oneWorker
+        (const (pure ()))
+        (turned 0 :| [(turned 0) {scenePicture = Picture 16 8}])
+        (0, 9)
     fmap (toPixelVector . exposedLight) exposed `shouldBe` Nothing
 
 turned :: Double -> Scene
@@ -45,5 +73,6 @@ turned azimuth =
   defaultScene
     { scenePicture = Picture 16 9,
       sceneSamples = 1,
-      sceneCamera = (sceneCamera defaultScene) {cameraPose = Around 30 (Degrees 82) (Degrees (90 + azimuth))}
+      sceneCamera =
+        (sceneCamera defaultScene) {cameraPose = Around 30 (Degrees 82) (Degrees (90 + azimuth))}
     }

@@ -59,14 +59,24 @@ spec = do
                   let v = valueAt Smooth keys (ta + s * (tb - ta))
               ]
             sameSide a b v = (v - a) * signum (b - a) >= -1e-12
-         in conjoin (concat (zipWith inside (take 1 list) (drop 1 list) ++ zipWith (flip inside) (drop (length list - 2) list) (drop (length list - 1) list)))
+         in conjoin
+              ( concat
+                  ( zipWith inside (take 1 list) (drop 1 list)
+                      ++ zipWith
+                        (flip inside)
+                        (drop (length list - 2) list)
+                        (drop (length list - 1) list)
+                  )
+              )
     it "rests between equal keys at an end" $
-      withKeysIO [(0, [3]), (1, [3]), (2, [9])] $ \keys -> map (valueAt Smooth keys) [0.25, 0.5, 0.75] `shouldBe` replicate 3 [3]
+      withKeysIO [(0, [3]), (1, [3]), (2, [9])] $ \keys ->
+        map (valueAt Smooth keys) [0.25, 0.5, 0.75] `shouldBe` replicate 3 [3]
     it "passes three unequal keys as worked out by hand" $ do
       -- Keys (0,0), (1,1), (3,0): chords 1 and −1/2, slope at the middle
       -- (2·1 + 1·(−1/2))/3 = 1/2; cubic with slopes 1 and 1/2 at its middle:
       -- 1/2 + (1 − 1/2)/8 = 0.5625.
-      withKeysIO [(0, [0]), (1, [1]), (3, [0])] $ \keys -> valueAt Smooth keys 0.5 `shouldBe` [0.5625]
+      withKeysIO [(0, [0]), (1, [1]), (3, [0])] $ \keys ->
+        valueAt Smooth keys 0.5 `shouldBe` [0.5625]
       withKeysIO [(0, [0]), (4, [8])] $ \keys -> do
         valueAt Eased keys 1 `shouldBe` [8 * (3 / 16 - 2 / 64)]
         valueAt Held keys 3.9 `shouldBe` [0]
@@ -74,8 +84,10 @@ spec = do
     forAll (listOf (inRange (-2000) 2000)) $ \angles ->
       let unwrapped = unwrapDegrees angles
           turns a b = abs (x - fromIntegral (round x :: Int)) < 1e-9 where x = (a - b) / 360
-       in and (zipWith turns angles unwrapped) .&&. and (zipWith (\a b -> abs (b - a) <= 180 + 1e-9) unwrapped (drop 1 unwrapped))
-  it "unwrapDegrees goes from 350 to 10 through 360" $ unwrapDegrees [350, 10, 350] `shouldBe` [350, 370, 350]
+       in and (zipWith turns angles unwrapped)
+            .&&. and (zipWith (\a b -> abs (b - a) <= 180 + 1e-9) unwrapped (drop 1 unwrapped))
+  it "unwrapDegrees goes from 350 to 10 through 360" $
+    unwrapDegrees [350, 10, 350] `shouldBe` [350, 370, 350]
   where
     h = 1e-5
     slope kind keys t d = case (valueAt kind keys (t + d), valueAt kind keys t) of
@@ -85,7 +97,8 @@ spec = do
     chord (t, v) (t', v') = sum (zipWith (\a b -> abs (b - a)) v v') / (t' - t)
 
 withKeys :: Testable p => [(Double, [Double])] -> (Keys -> p) -> Property
-withKeys list check = either (\e -> counterexample (show e) False) (property . check) (makeKeys list)
+withKeys list check =
+  either (\e -> counterexample (show e) False) (property . check) (makeKeys list)
 
 withKeysIO :: [(Double, [Double])] -> (Keys -> Expectation) -> Expectation
 withKeysIO list check = either (expectationFailure . show) check (makeKeys list)

@@ -26,14 +26,15 @@ spec = do
     forM_ [1 .. 30 :: Int] $ \n -> do
       outcomes <- forConcurrently [1 .. 8] $ \i -> takeLease (folder (elsewhere i) 60) (show n)
       length [() | Leased _ <- outcomes] `shouldBe` 1
-  it "is left to a holder who lives, and free again when he gives it back" . inFolder $ \folder -> do
-    self <- currentHolder
-    takeLease (folder self 60) "a" `shouldReturn` Leased Nothing
-    takeLease (folder (elsewhere 1) 60) "a" `shouldReturn` HeldBy (Just self)
-    liveHolder (folder (elsewhere 1) 60) "a" `shouldReturn` Just (Just self)
-    releaseLease (folder self 60) "a"
-    liveHolder (folder (elsewhere 1) 60) "a" `shouldReturn` Nothing
-    takeLease (folder (elsewhere 1) 60) "a" `shouldReturn` Leased Nothing
+  it "is left to a holder who lives, and free again when he gives it back" . inFolder $ \folder ->
+    do
+      self <- currentHolder
+      takeLease (folder self 60) "a" `shouldReturn` Leased Nothing
+      takeLease (folder (elsewhere 1) 60) "a" `shouldReturn` HeldBy (Just self)
+      liveHolder (folder (elsewhere 1) 60) "a" `shouldReturn` Just (Just self)
+      releaseLease (folder self 60) "a"
+      liveHolder (folder (elsewhere 1) 60) "a" `shouldReturn` Nothing
+      takeLease (folder (elsewhere 1) 60) "a" `shouldReturn` Leased Nothing
   it "is not given back by anybody but its holder" . inFolder $ \folder -> do
     takeLease (folder (elsewhere 1) 60) "a" `shouldReturn` Leased Nothing
     releaseLease (folder (elsewhere 2) 60) "a"
@@ -62,21 +63,23 @@ spec = do
     let earlier = self {holderStarted = "1"}
     takeLease (folder earlier 60) "a" `shouldReturn` Leased Nothing
     takeLease (folder self 60) "a" `shouldReturn` Leased (Just earlier)
-  it "is taken from an earlier start of the same Slurm job, and of no other" . inFolder $ \folder -> do
-    let start job n = (elsewhere n) {holderJob = Just (job, n)}
-    takeLease (folder (start "17" 0) 60) "a" `shouldReturn` Leased Nothing
-    takeLease (folder (start "18" 1) 60) "a" `shouldReturn` HeldBy (Just (start "17" 0))
-    takeLease (folder (start "17" 1) 60) "a" `shouldReturn` Leased (Just (start "17" 0))
-    -- Two processes of one start of a job work side by side.
-    let beside = (start "17" 1) {holderHost = "host9"}
-    takeLease (folder beside 60) "a" `shouldReturn` HeldBy (Just (start "17" 1))
-    takeLease (folder (start "17" 0) 60) "a" `shouldReturn` HeldBy (Just (start "17" 1))
-  it "is taken from another machine only when it has not been touched for a while" . inFolder $ \folder -> do
-    takeLease (folder (elsewhere 1) 60) "a" `shouldReturn` Leased Nothing
-    age 50 (leaseFile (folder (elsewhere 1) 60) "a")
-    takeLease (folder (elsewhere 2) 60) "a" `shouldReturn` HeldBy (Just (elsewhere 1))
-    age 20 (leaseFile (folder (elsewhere 1) 60) "a")
-    takeLease (folder (elsewhere 2) 60) "a" `shouldReturn` Leased (Just (elsewhere 1))
+  it "is taken from an earlier start of the same Slurm job, and of no other" . inFolder $ \folder ->
+    do
+      let start job n = (elsewhere n) {holderJob = Just (job, n)}
+      takeLease (folder (start "17" 0) 60) "a" `shouldReturn` Leased Nothing
+      takeLease (folder (start "18" 1) 60) "a" `shouldReturn` HeldBy (Just (start "17" 0))
+      takeLease (folder (start "17" 1) 60) "a" `shouldReturn` Leased (Just (start "17" 0))
+      -- Two processes of one start of a job work side by side.
+      let beside = (start "17" 1) {holderHost = "host9"}
+      takeLease (folder beside 60) "a" `shouldReturn` HeldBy (Just (start "17" 1))
+      takeLease (folder (start "17" 0) 60) "a" `shouldReturn` HeldBy (Just (start "17" 1))
+  it "is taken from another machine only when it has not been touched for a while" . inFolder $
+    \folder -> do
+      takeLease (folder (elsewhere 1) 60) "a" `shouldReturn` Leased Nothing
+      age 50 (leaseFile (folder (elsewhere 1) 60) "a")
+      takeLease (folder (elsewhere 2) 60) "a" `shouldReturn` HeldBy (Just (elsewhere 1))
+      age 20 (leaseFile (folder (elsewhere 1) 60) "a")
+      takeLease (folder (elsewhere 2) 60) "a" `shouldReturn` Leased (Just (elsewhere 1))
   it "is taken from another machine when it is dated in the future" . inFolder $ \folder -> do
     takeLease (folder (elsewhere 1) 60) "a" `shouldReturn` Leased Nothing
     age (-30) (leaseFile (folder (elsewhere 1) 60) "a")
@@ -113,7 +116,8 @@ spec = do
     inFolder check = withSystemTempDirectory "blackhole-spec" (check . LeaseFolder)
     elsewhere :: Int -> Holder
     elsewhere n = Holder ("host" ++ show n) "boot" 4711 "1" Nothing
-    age seconds path = getModificationTime path >>= setModificationTime path . addUTCTime (negate seconds)
+    age seconds path =
+      getModificationTime path >>= setModificationTime path . addUTCTime (negate seconds)
     awaitNewer old path = do
       touched <- getModificationTime path
       when (touched <= old) $ threadDelay 10000 >> awaitNewer old path

@@ -33,7 +33,8 @@ spec = do
     writeFile (file folder 2) "pic"
     removeFile (folder </> ".blackhole" </> "4.png.done")
     writeFile (folder </> ".blackhole" </> "5.png.done") "nonsense"
-    mapM (\n -> frameState store n (scene "v1" n)) [1, 2, 4, 5] `shouldReturn` [Damaged, Damaged, Stale, Stale]
+    mapM (\n -> frameState store n (scene "v1" n)) [1, 2, 4, 5]
+      `shouldReturn` [Damaged, Damaged, Stale, Stale]
     (_, made) <- working store good "v1" [0 .. 5]
     made `shouldBe` [1, 2, 4, 5]
     (_, changed) <- working store good "v2" [0 .. 5]
@@ -53,7 +54,8 @@ spec = do
     one <- storeOf folder "one"
     two <- storeOf folder "two"
     let slow n = threadDelay 2000 >> good n
-    ((a, madeA), (b, madeB)) <- concurrently (waiting one slow "v1" [0 .. 19]) (waiting two slow "v1" [0 .. 19])
+    ((a, madeA), (b, madeB)) <-
+      concurrently (waiting one slow "v1" [0 .. 19]) (waiting two slow "v1" [0 .. 19])
     sort (madeA ++ madeB) `shouldBe` [0 .. 19]
     (filter (`notElem` "rd") (map kind a), filter (`notElem` "rd") (map kind b)) `shouldBe` ("", "")
     (null madeA, null madeB) `shouldBe` (False, False)
@@ -78,24 +80,29 @@ spec = do
     _ <- working store good "v1" [0, 1]
     writeFrameList store [(n, scene "v1" n) | n <- [0 .. 2]]
     fmap sort (listDirectory folder) `shouldReturn` [".blackhole", "0.png", "1.png"]
-    fmap sort (listDirectory (folder </> ".blackhole")) `shouldReturn` ["%d.png.film", "0.png.done", "1.png.done", "lock"]
+    fmap sort (listDirectory (folder </> ".blackhole"))
+      `shouldReturn` ["%d.png.film", "0.png.done", "1.png.done", "lock"]
     lists <- readFrameLists folder
-    [(framePattern name, length frames) | (name, frames) <- lists] `shouldBe` [(folder </> "%d.png", 3)]
+    [(framePattern name, length frames) | (name, frames) <- lists]
+      `shouldBe` [(folder </> "%d.png", 3)]
     map snd lists `shouldBe` [[(n, scene "v1" n) | n <- [0 .. 2]]]
-  it "removes the lease of a process that was killed after it finished its frame" . inFolder $ \folder -> do
-    store <- storeOf folder "one"
-    _ <- working store good "v1" [0, 1]
-    _ <- takeLease (frameStoreLeases store) (frameLabel store 0)
-    writeFile (folder </> ".blackhole" </> "0.png.one.4711.part") "half"
-    (outcomes, _) <- working store good "v1" [0, 1]
-    map kind outcomes `shouldBe` "dd"
-    fmap sort (listDirectory (folder </> ".blackhole")) `shouldReturn` ["0.png.done", "1.png.done", "lock"]
-  it "removes what a process left that was killed while it wrote the list" . inFolder $ \folder -> do
-    store <- storeOf folder "one"
-    _ <- takeLease (frameStoreLeases store) "%d.png.film"
-    writeFile (folder </> ".blackhole" </> "%d.png.film.one.4711.part") "half"
-    writeFrameList store [(0, scene "v1" 0)]
-    fmap sort (listDirectory (folder </> ".blackhole")) `shouldReturn` ["%d.png.film", "lock"]
+  it "removes the lease of a process that was killed after it finished its frame" . inFolder $
+    \folder -> do
+      store <- storeOf folder "one"
+      _ <- working store good "v1" [0, 1]
+      _ <- takeLease (frameStoreLeases store) (frameLabel store 0)
+      writeFile (folder </> ".blackhole" </> "0.png.one.4711.part") "half"
+      (outcomes, _) <- working store good "v1" [0, 1]
+      map kind outcomes `shouldBe` "dd"
+      fmap sort (listDirectory (folder </> ".blackhole"))
+        `shouldReturn` ["0.png.done", "1.png.done", "lock"]
+  it "removes what a process left that was killed while it wrote the list" . inFolder $ \folder ->
+    do
+      store <- storeOf folder "one"
+      _ <- takeLease (frameStoreLeases store) "%d.png.film"
+      writeFile (folder </> ".blackhole" </> "%d.png.film.one.4711.part") "half"
+      writeFrameList store [(0, scene "v1" 0)]
+      fmap sort (listDirectory (folder </> ".blackhole")) `shouldReturn` ["%d.png.film", "lock"]
   it "removes the part that a dead holder has left" . inFolder $ \folder -> do
     dead <- storeOf folder "dead"
     one <- storeOf folder "one"
@@ -121,7 +128,13 @@ spec = do
     through store patience action version frames = do
       made <- newIORef []
       outcomes <-
-        workThrough store patience (\_ _ -> pure ()) (\_ _ -> pure ()) (render made) [Job n (scene version n) | n <- frames]
+        workThrough
+          store
+          patience
+          (\_ _ -> pure ())
+          (\_ _ -> pure ())
+          (render made)
+          [Job n (scene version n) | n <- frames]
       list <- readIORef made
       pure (map snd outcomes, reverse list)
       where

@@ -27,7 +27,10 @@ spec = do
   it "a pixel outside the picture is one problem that names option, value and range" $
     for_ [(16, 0), (0, 9), (-1, 3), (3, -1)] $ \(x, y) ->
       map renderProblem (pixelProblems (Picture 16 9) (x, y))
-        `shouldBe` ["--pixel: " ++ show x ++ "," ++ show y ++ " is not a pixel of this picture: X from 0 to 15, Y from 0 to 8, counted from the top left"]
+        `shouldBe` [ "--pixel: " ++ show x ++ "," ++ show y
+                       ++ " is not a pixel of this picture: X \
+                          \from 0 to 15, Y from 0 to 8, counted from the top left"
+                   ]
   it "a pixel inside is none" $
     concatMap (pixelProblems (Picture 16 9)) [(0, 0), (15, 8)] `shouldBe` []
   it "says everything that was asked for" $ do
@@ -53,8 +56,12 @@ spec = do
       ]
       $ \part -> text `shouldSatisfy` isInfixOf part
   it "does not speak of samples where there is one" $
-    explained defaultScene {sceneSamples = 1} 4 5 `shouldSatisfy` not . isInfixOf "mean radiance of the samples"
+    explained defaultScene {sceneSamples = 1} 4 5
+      `shouldSatisfy` not . isInfixOf "mean radiance of the samples"
   where
     explained scene x y =
       let small = scene {scenePicture = Picture 16 9}
-       in maybe "" (unlines . explanationLines small) (tracer small >>= \traced -> explainPixel traced x y)
+       in maybe
+            ""
+            (unlines . explanationLines small)
+            (tracer small >>= \traced -> explainPixel traced x y)

@@ -1,8 +1,9 @@
 module BlackHole.Cli.HelpSpec (spec) where
 
-import qualified BlackHole.Animation.AnimationFile as AnimationFile
+import qualified BlackHole.Animation.AnimationKeys as AnimationKeys
 import BlackHole.Cli.Help
 import BlackHole.Cli.Options
+import BlackHole.Cli.Topics
 import BlackHole.Scene.Field.Field
 import BlackHole.Scene.Field.Table (sceneFields)
 import Data.Char (isUpper, toLower)
@@ -14,27 +15,69 @@ spec :: Spec
 spec = do
   describe "help" $ do
     it "is there for every command and topic, with an example, in lines of at most 80 columns" $
-      mapM_ (\word -> (word, text ("help" : words word)) `shouldSatisfy` complete . snd) (commands ++ topicNames)
+      mapM_
+        (\word -> (word, text ("help" : words word)) `shouldSatisfy` complete . snd)
+        (commands ++ topicNames)
     it "of a command is what its --help says" $
-      mapM_ (\name -> text (words name ++ ["--help"]) `shouldBe` text ("help" : words name)) commands
+      mapM_
+        (\name -> text (words name ++ ["--help"]) `shouldBe` text ("help" : words name))
+        commands
     it "and options of a command are described by whole phrases, without a full stop" $
-      [entryText e | c <- commandHelps, e <- commandEntries c, null (entryText e) || not (isUpper (head' (entryText e)) || take 1 (entryText e) == "%") || '.' == last' (entryText e)] `shouldBe` []
-    it "knows a heading for every option that does not belong to a setting, and none that does not exist" $
-      mapM_ (\name -> concatMap commandEntries commandHelps `shouldSatisfy` any ((name `elem`) . entryNames)) (concatMap snd headedOptions)
+      [ entryText e | c <- commandHelps, e <- commandEntries c, null (entryText e)
+                                                                  || not
+                                                                    ( isUpper
+                                                                        (head' (entryText e))
+                                                                        || take 1 (entryText e)
+                                                                        == "%"
+                                                                    )
+                                                                  || '.'
+                                                                  == last' (entryText e)
+      ]
+        `shouldBe` []
+    it
+      "knows a heading for every option that does not belong to a setting, and none that does not \
+      \exist"
+      $ mapM_
+        ( \name ->
+            concatMap commandEntries commandHelps `shouldSatisfy` any ((name `elem`) . entryNames)
+        )
+        (concatMap snd headedOptions)
     it "of scene lists the commands inside it" $
-      mapM_ (\name -> text ["help", "scene"] `shouldSatisfy` isInfixOf ("  " ++ name)) (filter ("scene " `isPrefixOf`) commands)
+      mapM_
+        (\name -> text ["help", "scene"] `shouldSatisfy` isInfixOf ("  " ++ name))
+        (filter ("scene " `isPrefixOf`) commands)
     it "on films lists every key of the section animation" $
-      mapM_ (\name -> text ["help", "animation"] `shouldSatisfy` isInfixOf ("  " ++ name)) (map AnimationFile.keyName (AnimationFile.animationKeys ++ AnimationFile.cameraPathKeys ++ AnimationFile.keyframeKeys) ++ ["camera-path", "keyframes"])
+      mapM_
+        (\name -> text ["help", "animation"] `shouldSatisfy` isInfixOf ("  " ++ name))
+        ( map
+            AnimationKeys.keyName
+            ( AnimationKeys.animationKeys ++ AnimationKeys.cameraPathKeys
+                ++ AnimationKeys.keyframeKeys
+            )
+            ++ ["camera-path", "keyframes"]
+        )
     it "points to no file of the repository" $
-      mapM_ (\word -> text ("help" : words word) `shouldSatisfy` not . isInfixOf "docs/") (commands ++ topicNames)
+      mapM_
+        (\word -> text ("help" : words word) `shouldSatisfy` not . isInfixOf "docs/")
+        (commands ++ topicNames)
     it "lists every topic and command" $
-      mapM_ (\word -> text ["--help"] `shouldSatisfy` isInfixOf word) (filter (notElem ' ') commands ++ topicNames)
+      mapM_
+        (\word -> text ["--help"] `shouldSatisfy` isInfixOf word)
+        (filter (notElem ' ') commands ++ topicNames)
     it "puts every option of a scene under its topic's heading" $
       mapM_
-        (\(f, o) -> under (topicName (fieldTopic f)) (text ["help", "render"]) `shouldSatisfy` any (("  " ++ optionName o) `isPrefixOf`))
+        ( \(f, o) ->
+            under (topicName (fieldTopic f)) (text ["help", "render"])
+              `shouldSatisfy` any (("  " ++ optionName o) `isPrefixOf`)
+        )
         [(f, o) | f <- sceneFields, Just o <- [fieldOption f]]
     it "of a topic has every setting, also those of scene files alone" $
-      mapM_ (\f -> text ["help", map toLower (topicName (fieldTopic f))] `shouldSatisfy` isInfixOf (fieldPath f)) sceneFields
+      mapM_
+        ( \f ->
+            text ["help", map toLower (topicName (fieldTopic f))]
+              `shouldSatisfy` isInfixOf (fieldPath f)
+        )
+        sceneFields
     it "leaves no option of render without a heading" $
       lines (text ["help", "render"]) `shouldNotContain` ["This command:"]
     it "shows defaults" $
@@ -68,7 +111,12 @@ spec = do
     completes ["render", "--sky", "package.y"] "package.yaml"
     it "has scripts for three shells" $
       mapM_
-        (\shell -> fromMaybe (pure "") (completion "v" ["--" ++ shell ++ "-completion-script", "/bin/blackhole"]) >>= (`shouldSatisfy` isInfixOf "/bin/blackhole"))
+        ( \shell ->
+            fromMaybe
+              (pure "")
+              (completion "v" ["--" ++ shell ++ "-completion-script", "/bin/blackhole"])
+              >>= (`shouldSatisfy` isInfixOf "/bin/blackhole")
+        )
         ["bash", "zsh", "fish"]
   where
     commands = map commandName commandHelps
@@ -77,13 +125,18 @@ spec = do
     text arguments = case parseArguments "blackhole 0.1.0.0 (test)" arguments of
       Inform shown -> shown
       other -> show other
-    complete shown = "Example" `isInfixOf` shown && all ((<= 80) . length) (filter (not . isInfixOf "blackhole ") (lines shown))
+    complete shown =
+      "Example" `isInfixOf` shown
+        && all ((<= 80) . length) (filter (not . isInfixOf "blackhole ") (lines shown))
     under heading shown = takeWhile (/= "") (drop 1 (dropWhile (/= heading ++ ":") (lines shown)))
     meant arguments best =
       it ("of " ++ unwords arguments ++ " are told with " ++ best) $
-        show (parseArguments "v" arguments) `shouldSatisfy` isInfixOf ("did you mean " ++ best ++ "?")
+        show (parseArguments "v" arguments)
+          `shouldSatisfy` isInfixOf ("did you mean " ++ best ++ "?")
     completes arguments word =
       it ("completes " ++ unwords arguments) $ do
-        let asked = ["--bash-completion-index", show (length arguments)] ++ concat [["--bash-completion-word", w] | w <- "blackhole" : arguments]
+        let asked =
+              ["--bash-completion-index", show (length arguments)]
+                ++ concat [["--bash-completion-word", w] | w <- "blackhole" : arguments]
         shown <- fromMaybe (pure "") (completion "v" asked)
         lines shown `shouldContain` [word]

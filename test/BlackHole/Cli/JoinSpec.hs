@@ -19,14 +19,32 @@ spec = do
   it "makes the file that one quietly makes, byte for byte" . inFolder $ \folder -> do
     quietly (small ++ ["-o", folder </> "whole.png"]) `shouldReturn` ExitSuccess
     mapM_ (\i -> tile folder small i 3 `shouldReturn` ExitSuccess) [1 .. 3]
-    quietly ["join", folder </> "2.tile", folder </> "3.tile", folder </> "1.tile", "-o", folder </> "joined.png"] `shouldReturn` ExitSuccess
+    quietly
+      [ "join",
+        folder </> "2.tile",
+        folder </> "3.tile",
+        folder </> "1.tile",
+        "-o",
+        folder </> "joined.png"
+      ]
+      `shouldReturn` ExitSuccess
     whole <- Bytes.readFile (folder </> "whole.png")
     Bytes.readFile (folder </> "joined.png") `shouldReturn` whole
   it "does so in every format, and with bloom" . inFolder $ \folder -> do
     let same arguments coding extension = do
-          quietly (plain ++ arguments ++ coding ++ ["-o", folder </> "whole" ++ extension]) `shouldReturn` ExitSuccess
+          quietly (plain ++ arguments ++ coding ++ ["-o", folder </> "whole" ++ extension])
+            `shouldReturn` ExitSuccess
           mapM_ (\i -> tile folder (plain ++ arguments) i 2 `shouldReturn` ExitSuccess) [1, 2]
-          quietly (["join", folder </> "1.tile", folder </> "2.tile", "-o", folder </> "joined" ++ extension] ++ coding) `shouldReturn` ExitSuccess
+          quietly
+            ( [ "join",
+                folder </> "1.tile",
+                folder </> "2.tile",
+                "-o",
+                folder </> "joined" ++ extension
+              ]
+                ++ coding
+            )
+            `shouldReturn` ExitSuccess
           whole <- Bytes.readFile (folder </> "whole" ++ extension)
           Bytes.readFile (folder </> "joined" ++ extension) `shouldReturn` whole
     same [] ["--bits", "16"] ".png"
@@ -38,33 +56,59 @@ spec = do
     same ["--bloom", "0.1"] ["--bits", "32"] ".tif"
     same [] ["--quality", "80"] ".jpg"
   it "makes the same OpenEXR layers, numbers of samples included" . inFolder $ \folder ->
-    forM_ [["--samples", "3"], ["--samples", "4", "--noise", "0.02", "--bloom", "0.1"]] $ \sampling -> do
-      let arguments = ["render", "--width", "40"] ++ sampling
+    forM_ ["--samples 3", "--samples 4 --noise 0.02 --bloom 0.1"] $ \sampling -> do
+      let arguments = ["render", "--width", "40"] ++ words sampling
       quietly (arguments ++ ["-o", folder </> "whole.exr"]) `shouldReturn` ExitSuccess
       mapM_ (\i -> tile folder arguments i 3 `shouldReturn` ExitSuccess) [1 .. 3]
-      quietly ["join", folder </> "1.tile", folder </> "2.tile", folder </> "3.tile", "-o", folder </> "joined.exr"] `shouldReturn` ExitSuccess
-      quietly ["render", "--from", folder </> "joined.exr", "--threads", "2", "--keep-partial", "-o", folder </> "again.exr"] `shouldReturn` ExitSuccess
+      quietly
+        [ "join",
+          folder </> "1.tile",
+          folder </> "2.tile",
+          folder </> "3.tile",
+          "-o",
+          folder </> "joined.exr"
+        ]
+        `shouldReturn` ExitSuccess
+      quietly
+        [ "render",
+          "--from",
+          folder </> "joined.exr",
+          "--threads",
+          "2",
+          "--keep-partial",
+          "-o",
+          folder </> "again.exr"
+        ]
+        `shouldReturn` ExitSuccess
       whole <- Bytes.readFile (folder </> "whole.exr")
       mapM (Bytes.readFile . (folder </>)) ["joined.exr", "again.exr"] `shouldReturn` [whole, whole]
       withTool "exrheader" $ \tool -> do
         text <- toolOutput tool [folder </> "whole.exr"]
         forM_ ["deflection.V", "radius.V", "redshift.V", "samples.V"] $ \name ->
-          text `shouldSatisfy` Bytes.isInfixOf (Characters.pack (name ++ ", 32-bit floating-point, sampling 1 1"))
+          text
+            `shouldSatisfy` Bytes.isInfixOf
+              (Characters.pack (name ++ ", 32-bit floating-point, sampling 1 1"))
   it "names tiles that are missing, of another scene, or damaged" . inFolder $ \folder -> do
     mapM_ (\i -> tile folder plain i 3) [1 .. 3]
     let paths = [folder </> (show i ++ ".tile") | i <- [1 .. 3 :: Int]]
         complaints = fmap (fromLeft []) . openTiles
     complaints (drop 1 paths) `shouldReturn` ["tile 1/3 is missing"]
     _ <- tile folder (plain ++ ["--inclination", "70"]) 2 3
-    complaints paths `shouldReturn` [folder </> "2.tile belongs to another picture than " ++ folder </> "1.tile: inclination: 70 instead of inclination: 77"]
+    complaints paths
+      `shouldReturn` [ folder </> "2.tile belongs to another picture than "
+                         ++ folder </> "1.tile: inclination: 70 instead of inclination: 77"
+                     ]
     _ <- tile folder plain 2 3
     bytes <- Bytes.readFile (folder </> "2.tile")
     let (start, end) = Bytes.splitAt (Bytes.length bytes - 1000) bytes
-    Bytes.writeFile (folder </> "2.tile") (start <> Bytes.map (+ 1) (Bytes.take 1 end) <> Bytes.drop 1 end)
+    Bytes.writeFile
+      (folder </> "2.tile")
+      (start <> Bytes.map (+ 1) (Bytes.take 1 end) <> Bytes.drop 1 end)
     complaints paths `shouldReturn` [folder </> "2.tile: damaged; render this tile again"]
     Bytes.writeFile (folder </> "2.tile") start
     complaints paths >>= (`shouldSatisfy` any ("incomplete" `isInfixOf`))
-    complaints (paths ++ [folder </> "4.tile"]) >>= (`shouldSatisfy` any ("cannot be read" `isInfixOf`))
+    complaints (paths ++ [folder </> "4.tile"])
+      >>= (`shouldSatisfy` any ("cannot be read" `isInfixOf`))
     quietly ("join" : "-o" : (folder </> "joined.png") : paths) `shouldReturn` ExitFailure 3
     doesFileExist (folder </> "joined.png") `shouldReturn` False
   it "wants tile files to be called so, and no more tiles than rows" . inFolder $ \folder -> do
@@ -74,5 +118,14 @@ spec = do
   where
     inFolder = withSystemTempDirectory "blackhole-spec"
     small = ["render", "--width", "24", "--samples", "1"]
-    plain = ["render", "--width", "32", "--samples", "1", "--no-gravity", "--no-disk", "--sky", "grid"]
-    tile folder arguments i n = quietly (arguments ++ ["--tile", show (i :: Int) ++ "/" ++ show (n :: Int), "-o", folder </> (show i ++ ".tile")])
+    plain =
+      ["render", "--width", "32", "--samples", "1", "--no-gravity", "--no-disk", "--sky", "grid"]
+    tile folder arguments i n =
+      quietly
+        ( arguments
+            ++ [ "--tile",
+                 show (i :: Int) ++ "/" ++ show (n :: Int),
+                 "-o",
+                 folder </> (show i ++ ".tile")
+               ]
+        )

@@ -22,12 +22,16 @@ spec = do
       (readMaybe (showDouble 3.5579380424596536) :: Maybe Double) `shouldBe` Just 3.5579380424596536
   describe "values" $ do
     it "what is not finite is null" $
-      map (Read.readJson . renderJson . Number) [0 / 0, 1 / 0, -1 / 0] `shouldBe` replicate 3 (Just Read.Null)
+      map (Read.readJson . renderJson . Number) [0 / 0, 1 / 0, -1 / 0]
+        `shouldBe` replicate 3 (Just Read.Null)
     prop "text reads back, whatever is in it" $ \s ->
       all (`notElem` s) ['\xd800' .. '\xdfff']
         ==> Read.readJson (renderJson (Text s)) === Just (Read.Text s)
     it "structures read back" $
-      Read.readJson (renderJson (Object [("a", List [Null, Whole 3, Object []]), ("b\"", List []), ("c", Text "\n\\")]))
+      Read.readJson
+        ( renderJson
+            (Object [("a", List [Null, Whole 3, Object []]), ("b\"", List []), ("c", Text "\n\\")])
+        )
         `shouldBe` Just
           ( Read.Object
               [ ("a", Read.List [Read.Null, Read.Number 3, Read.Object []]),

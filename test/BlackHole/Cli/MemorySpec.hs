@@ -13,7 +13,14 @@ import System.Directory (findExecutable)
 import System.Exit (ExitCode (..))
 import System.FilePath ((</>))
 import System.IO.Temp (withSystemTempDirectory)
-import System.Process (CreateProcess (cwd, std_err), StdStream (NoStream), getPid, getProcessExitCode, proc, withCreateProcess)
+import System.Process
+  ( CreateProcess (cwd, std_err),
+    StdStream (NoStream),
+    getPid,
+    getProcessExitCode,
+    proc,
+    withCreateProcess,
+  )
 import Test.Hspec
 import Text.Read (readMaybe)
 
@@ -21,18 +28,45 @@ spec :: Spec
 spec = do
   it "refuses a picture that no machine has the memory for" $ do
     available <- availableMemory
-    problem <- memoryProblem (Making (WholePicture Png) False False) defaultScene {scenePicture = Picture 1000000000 1} 1000000000
+    problem <-
+      memoryProblem
+        (Making (WholePicture Png) False False)
+        defaultScene {scenePicture = Picture 1000000000 1}
+        1000000000
     isJust problem `shouldBe` isJust available
-    memoryProblem (Making (WholePicture Png) False False) defaultScene {scenePicture = Picture 16 9} 9 >>= (`shouldSatisfy` isNothing)
+    memoryProblem
+      (Making (WholePicture Png) False False)
+      defaultScene {scenePicture = Picture 16 9}
+      9
+      >>= (`shouldSatisfy` isNothing)
   it "estimates no less than the program takes, and at least what the light takes" $
     withSystemTempDirectory "blackhole-spec" $ \folder -> do
-      writeFile (folder </> "film.yaml") ("image: {width: " ++ show width ++ ", height: " ++ show height ++ "}\ndisk: {present: off}\nsky: {kind: uniform}\nsampling: {samples: 1}\noutput: {bloom: 0}\nanimation: {frames: 1}\n")
+      writeFile
+        (folder </> "film.yaml")
+        ( "image: {width: " ++ show width ++ ", height: " ++ show height
+            ++ "}\ndisk: {present: off}\nsky: {kind: uniform}\nsampling: {samples: 1}\noutput: \
+               \{bloom: 0}\nanimation: {frames: 1}\n"
+        )
       found <- findExecutable "blackhole"
       case found of
         Nothing -> pendingWith "blackhole is not on the PATH"
         Just program -> do
           let taken arguments = peakOf program folder (arguments ++ ["--threads", "2"])
-              render = ["render", "--width", show width, "--height", show height, "--samples", "1", "--no-disk", "--sky", "uniform", "--bloom", "0", "--quiet"]
+              render =
+                [ "render",
+                  "--width",
+                  show width,
+                  "--height",
+                  show height,
+                  "--samples",
+                  "1",
+                  "--no-disk",
+                  "--sky",
+                  "uniform",
+                  "--bloom",
+                  "0",
+                  "--quiet"
+                ]
               film = ["animate", "film.yaml", "-o"]
               check (name, making, bloom, arguments) = do
                 peak <- taken arguments
@@ -43,17 +77,37 @@ spec = do
               plain product' = Making product' False False
           forM_
             [ ("PNG", plain (WholePicture Png), 0, render ++ ["-o", "a.png"]),
-              ("PNG with bloom", plain (WholePicture Png), 0.1, render ++ ["--bloom", "0.1", "-o", "a.png"]),
+              ( "PNG with bloom",
+                plain (WholePicture Png),
+                0.1,
+                render ++ ["--bloom", "0.1", "-o", "a.png"]
+              ),
               ("JPEG", plain (WholePicture Jpeg), 0, render ++ ["-o", "a.jpg"]),
-              ("OpenEXR in 32 bits", plain (WholePicture Exr), 0, render ++ ["--bits", "32", "-o", "a.exr"]),
-              ("PNG that is kept when interrupted", Making (WholePicture Png) False True, 0, render ++ ["--keep-partial", "-o", "a.png"]),
+              ( "OpenEXR in 32 bits",
+                plain (WholePicture Exr),
+                0,
+                render ++ ["--bits", "32", "-o", "a.exr"]
+              ),
+              ( "PNG that is kept when interrupted",
+                Making (WholePicture Png) False True,
+                0,
+                render ++ ["--keep-partial", "-o", "a.png"]
+              ),
               ("tile", plain Tile, 0, render ++ ["--tile", "1/1", "-o", "a.tile"]),
               ("tiles as PNG", plain (Joined Png), 0, ["join", "a.tile", "-o", "b.png"]),
               ("tiles as JPEG", plain (Joined Jpeg), 0, ["join", "a.tile", "-o", "b.jpg"]),
               ("tiles as OpenEXR", plain (Joined Exr), 0, ["join", "a.tile", "-o", "b.exr"]),
               ("frame", plain (Frame Png), 0, film ++ ["a%d.png"]),
-              ("frame in OpenEXR with bloom", plain (Frame Exr), 0.1, film ++ ["b%d.exr", "--bloom", "0.1"]),
-              ("frame with motion blur", Making (Frame Png) True False, 0, film ++ ["c%d.png", "--shutter", "0.5", "--shutter-samples", "3"])
+              ( "frame in OpenEXR with bloom",
+                plain (Frame Exr),
+                0.1,
+                film ++ ["b%d.exr", "--bloom", "0.1"]
+              ),
+              ( "frame with motion blur",
+                Making (Frame Png) True False,
+                0,
+                film ++ ["c%d.png", "--shutter", "0.5", "--shutter-samples", "3"]
+              )
             ]
             check
   where
@@ -62,18 +116,24 @@ spec = do
 -- | The most memory in bytes that the program has had, as Linux tells while it runs.
 peakOf :: FilePath -> FilePath -> [String] -> IO (Maybe Integer)
 peakOf program folder arguments =
-  withCreateProcess (proc program arguments) {cwd = Just folder, std_err = NoStream} $ \_ _ _ process -> do
-    let watch peak = do
-          pid <- getPid process
-          now <- maybe (pure Nothing) highWater pid
-          ended <- getProcessExitCode process
-          case ended of
-            Just code -> ((arguments, code) `shouldBe` (arguments, ExitSuccess)) >> pure peak
-            Nothing -> threadDelay 2000 >> watch (max peak now)
-    watch Nothing
+  withCreateProcess (proc program arguments) {cwd = Just folder, std_err = NoStream} $
+    \_ _ _ process -> do
+      let watch peak = do
+            pid <- getPid process
+            now <- maybe (pure Nothing) highWater pid
+            ended <- getProcessExitCode process
+            case ended of
+              Just code -> ((arguments, code) `shouldBe` (arguments, ExitSuccess)) >> pure peak
+              Nothing -> threadDelay 2000 >> watch (max peak now)
+      watch Nothing
   where
     highWater pid = do
       text <- readFile ("/proc/" ++ show pid ++ "/status")
-      pure $! case [n * 1024 | n : _ <- map (mapMaybe readMaybe . words) (mapMaybe (stripPrefix "VmHWM:") (lines text))] of
+      pure $! case [ n * 1024
+                     | n : _ <-
+                         map
+                           (mapMaybe readMaybe . words)
+                           (mapMaybe (stripPrefix "VmHWM:") (lines text))
+                   ] of
         n : _ -> Just n
         [] -> Nothing

@@ -33,17 +33,46 @@ spec = do
         Just (List [first, second]) -> do
           map keys [first, second] `shouldBe` replicate 2 ["r", "azimuth", "g"]
           mapM_
-            (\(crossing, key, reference) -> maybe (expectationFailure key) (`shouldBeWithin` (1e-8, reference)) (numberAt [key] crossing))
-            [(first, "r", 10.27369270291), (first, "g", 0.94812614213424), (second, "azimuth", -1.57079632679)]
+            ( \(crossing, key, reference) ->
+                maybe
+                  (expectationFailure key)
+                  (`shouldBeWithin` (1e-8, reference))
+                  (numberAt [key] crossing)
+            )
+            [ (first, "r", 10.27369270291),
+              (first, "g", 0.94812614213424),
+              (second, "azimuth", -1.57079632679)
+            ]
         other -> expectationFailure (show other)
     it "follows light around a rotating hole: 34-digit values" $ do
       report <- json turning
-      keys report `shouldBe` ["fate", "lambda", "carterQ", "minoTime", "frequency", "escapeDirection", "crossings"]
+      keys report
+        `shouldBe` [ "fate",
+                     "lambda",
+                     "carterQ",
+                     "minoTime",
+                     "frequency",
+                     "escapeDirection",
+                     "crossings"
+                   ]
       mapM_
-        (\(key, reference) -> maybe (expectationFailure key) (`shouldBeWithin` (1e-12, reference)) (numberAt [key] report))
-        [("lambda", -0.015216616970296247), ("carterQ", 8.5489811865240428), ("minoTime", 1.6070728287034354), ("frequency", 1.0170951790080858)]
+        ( \(key, reference) ->
+            maybe
+              (expectationFailure key)
+              (`shouldBeWithin` (1e-12, reference))
+              (numberAt [key] report)
+        )
+        [ ("lambda", -0.015216616970296247),
+          ("carterQ", 8.5489811865240428),
+          ("minoTime", 1.6070728287034354),
+          ("frequency", 1.0170951790080858)
+        ]
       case member "crossings" report of
-        Just (List [first, _]) -> maybe (expectationFailure "g") (`shouldBeWithin` (1e-12, 0.95444088919855479)) (numberAt ["g"] first)
+        Just (List [first, _]) ->
+          maybe
+            (expectationFailure "g")
+            (`shouldBeWithin` (1e-12, 0.95444088919855479))
+            (numberAt ["g"] first)
         other -> expectationFailure (show other)
     it "has the same keys without spin as with a spin of 0" $
       fmap keys (json (camera ++ ["--spin", "0"])) `shouldReturn` reportKeys
@@ -51,14 +80,23 @@ spec = do
       report <- json (camera ++ ["--integrator", "leapfrog", "--step", "0.05"])
       keys report `shouldBe` reportKeys ++ ["exact", "error"]
       fmap keys (member "exact" report) `shouldBe` Just reportKeys
-      case (numberAt ["sweptAngle"] report, numberAt ["exact", "sweptAngle"] report, numberAt ["error", "sweptAngle"] report) of
+      case ( numberAt ["sweptAngle"] report,
+             numberAt ["exact", "sweptAngle"] report,
+             numberAt ["error", "sweptAngle"] report
+           ) of
         (Just stepped, Just exact, Just difference) -> do
           difference `shouldBeWithin` (1e-14, stepped - exact)
           abs difference `shouldSatisfy` (\e -> e > 1e-8 && e < 1e-3)
         other -> expectationFailure (show other)
     it "--step is what makes the error smaller" $ do
       -- Down to the error of the report's steps beyond r = 40, which are fixed.
-      errors <- mapM (\l -> abs <$> at ["error", "deflection"] (camera ++ ["--integrator", "leapfrog", "--step", l])) ["0.16", "0.08", "0.04"]
+      errors <-
+        mapM
+          ( \l ->
+              abs
+                <$> at ["error", "deflection"] (camera ++ ["--integrator", "leapfrog", "--step", l])
+          )
+          ["0.16", "0.08", "0.04"]
       zipWith (/) errors (drop 1 errors) `shouldSatisfy` all (\q -> abs (q - 4) < 0.6)
   describe "the table" $ do
     it "has a row for each value, with its unit" $ do
@@ -66,13 +104,26 @@ spec = do
       map (\row -> (takeWhile (/= "") (cells row), last (words row))) rows
         `shouldSatisfy` \found ->
           [(name, unit) | (name : _, unit) <- found, unit `elem` ["r_s", "rad"]]
-            == [("impact parameter", "r_s"), ("swept angle", "rad"), ("deflection", "rad"), ("closest approach", "r_s")]
-              ++ concat [[("crossing " ++ n ++ ", r", "r_s"), ("crossing " ++ n ++ ", azimuth", "rad")] | n <- ["1", "2"]]
+            == [ ("impact parameter", "r_s"),
+                 ("swept angle", "rad"),
+                 ("deflection", "rad"),
+                 ("closest approach", "r_s")
+               ]
+              ++ concat
+                [ [("crossing " ++ n ++ ", r", "r_s"), ("crossing " ++ n ++ ", azimuth", "rad")]
+                  | n <- ["1", "2"]
+                ]
       map (take 1 . cells) rows `shouldContain` [["crossing 1, g"]]
       length rows `shouldBe` 14
     it "explains r_s and, if there are crossings, g" $ do
-      text camera >>= (`shouldSatisfy` \shown -> "r_s is the Schwarzschild radius" `isInfixOf` shown && "g is the frequency" `isInfixOf` shown)
-      text ["--psi", "10", "--inclination", "90"] >>= (`shouldSatisfy` not . isInfixOf "g is the frequency")
+      text camera
+        >>= ( `shouldSatisfy`
+                \shown ->
+                  "r_s is the Schwarzschild radius" `isInfixOf` shown
+                    && "g is the frequency" `isInfixOf` shown
+            )
+      text ["--psi", "10", "--inclination", "90"]
+        >>= (`shouldSatisfy` not . isInfixOf "g is the frequency")
     it "has a column each for another method, the exact values and the errors" $
       mapM_
         ( \name -> do
@@ -84,10 +135,29 @@ spec = do
   describe "defaults" $ do
     it "stand in for all options but --psi" $ do
       brief <- text ["--psi", "10"]
-      text ["--distance", "30", "--inclination", "82", "--psi", "10", "--eta", "0", "--integrator", "exact"] `shouldReturn` brief
+      text
+        [ "--distance",
+          "30",
+          "--inclination",
+          "82",
+          "--psi",
+          "10",
+          "--eta",
+          "0",
+          "--integrator",
+          "exact"
+        ]
+        `shouldReturn` brief
     it "are those that the help names" $
       case parseArguments "v" ["help", "photon"] of
-        Inform shown -> mapM_ (\part -> unwords (words shown) `shouldSatisfy` isInfixOf part) ["with --psi (default: 30)", "goes to (default: 82)", "up (default: 0)", "(default: exact)"]
+        Inform shown ->
+          mapM_
+            (\part -> unwords (words shown) `shouldSatisfy` isInfixOf part)
+            [ "with --psi (default: 30)",
+              "goes to (default: 82)",
+              "up (default: 0)",
+              "(default: exact)"
+            ]
         other -> expectationFailure (show other)
   describe "--integrator table" $ do
     it "follows the path that the renderer follows, within its error" $
@@ -109,7 +179,12 @@ spec = do
       report <- json ["--psi", "2", "--integrator", "table"]
       member "fate" report `shouldBe` Just (Text "captured")
     it "follows light that goes straight away or straight in" $
-      mapM_ (\psi -> json ["--psi", psi, "--integrator", "table"] >>= \report -> numberAt ["error", "sweptAngle"] report `shouldBe` Just 0) ["0", "180"]
+      mapM_
+        ( \psi ->
+            json ["--psi", psi, "--integrator", "table"] >>= \report ->
+              numberAt ["error", "sweptAngle"] report `shouldBe` Just 0
+        )
+        ["0", "180"]
   describe "--path" $ do
     it "is a table of angles and places, from start to end" $ do
       rows <- lines . Lazy.unpack <$> csv camera
@@ -127,27 +202,71 @@ spec = do
     refuses ["--impact=-1"] [("--impact", "-1")]
     refuses ["--impact", "nan"] [("--impact", "NaN")]
     refuses ["--impact", "inf"] [("--impact", "Infinity")]
-    refuses [] [("--psi", "missing; give --psi DEGREES for a line of sight, or --impact B for light from infinity")]
-    refuses ("--impact" : "3" : camera) [("--impact", "cannot be combined with --psi or --distance")]
-    refuses ["--impact", "3", "--distance", "9"] [("--impact", "cannot be combined with --psi or --distance")]
-    refuses ["--impact", "3", "--integrator", "table"] [("--integrator", "table applies only with --psi; it holds the paths that start at the camera's distance")]
-    refuses ["--distance", "1", "--inclination", "80", "--psi", "10", "--eta", "0"] [("--distance", "1")]
-    refuses ["--distance", "20", "--inclination", "181", "--psi=-1", "--eta", "nan"] [("--psi", "-1"), ("--inclination", "181"), ("--eta", "NaN")]
-    refuses ["--impact", "3", "--step", "0.1"] [("--step", "0.1 has no effect; it applies only with --integrator leapfrog")]
+    refuses
+      []
+      [ ( "--psi",
+          "missing; give --psi DEGREES for a line of sight, or --impact B for light from infinity"
+        )
+      ]
+    refuses
+      ("--impact" : "3" : camera)
+      [("--impact", "cannot be combined with --psi or --distance")]
+    refuses
+      ["--impact", "3", "--distance", "9"]
+      [("--impact", "cannot be combined with --psi or --distance")]
+    refuses
+      ["--impact", "3", "--integrator", "table"]
+      [ ( "--integrator",
+          "table applies only with --psi; it holds the paths that start at the camera's distance"
+        )
+      ]
+    refuses
+      ["--distance", "1", "--inclination", "80", "--psi", "10", "--eta", "0"]
+      [("--distance", "1")]
+    refuses
+      ["--distance", "20", "--inclination", "181", "--psi=-1", "--eta", "nan"]
+      [("--psi", "-1"), ("--inclination", "181"), ("--eta", "NaN")]
+    refuses
+      ["--impact", "3", "--step", "0.1"]
+      [("--step", "0.1 has no effect; it applies only with --integrator leapfrog")]
     refuses ["--impact", "3", "--integrator", "leapfrog", "--step", "0"] [("--step", "0")]
     refuses ["--impact", "3", "--path", ""] [("--path", "an empty name")]
     refuses ["--spin", "1", "--psi", "5"] [("--spin", "1")]
-    refuses ["--spin", "0.9", "--impact", "3"] [("--impact", "applies only without --spin; a path around a rotating hole has no impact parameter")]
+    refuses
+      ["--spin", "0.9", "--impact", "3"]
+      [ ( "--impact",
+          "applies only without --spin; a path around a rotating hole has no impact parameter"
+        )
+      ]
     refuses ["--spin", "0.9"] [("--psi", "missing; give --psi DEGREES for a line of sight")]
-    refuses ["--spin", "0.9", "--psi", "5", "--distance", "0.9", "--inclination", "90"] [("--distance", "0.9")]
+    refuses
+      ["--spin", "0.9", "--psi", "5", "--distance", "0.9", "--inclination", "90"]
+      [("--distance", "0.9")]
     it "in one line" $ case resolvePhoton <$> parsed ["--impact=-1"] of
-      Just (Left [problem]) -> renderProblem problem `shouldSatisfy` (\s -> "--impact: -1 is not " `isPrefixOf` s && "1e6" `isInfixOf` s && '\n' `notElem` s)
+      Just (Left [problem]) ->
+        renderProblem problem
+          `shouldSatisfy` ( \s ->
+                              "--impact: -1 is not " `isPrefixOf` s && "1e6" `isInfixOf` s
+                                && '\n' `notElem` s
+                          )
       _ -> expectationFailure "not one problem"
   where
-    turning = ["--spin", "0.9", "--distance", "30", "--inclination", "82", "--psi", "5.5", "--eta", "-90"]
+    turning =
+      ["--spin", "0.9", "--distance", "30", "--inclination", "82", "--psi", "5.5", "--eta", "-90"]
     camera = ["--distance", "20", "--inclination", "80", "--psi", "10", "--eta", "-90"]
-    reportKeys = ["fate", "impactParameter", "sweptAngle", "deflection", "closestApproach", "crossings", "steps", "angularMomentumDrift", "energyDrift"]
-    parsed arguments = getParseResult (execParserPure defaultPrefs (info photonOptions mempty) arguments)
+    reportKeys =
+      [ "fate",
+        "impactParameter",
+        "sweptAngle",
+        "deflection",
+        "closestApproach",
+        "crossings",
+        "steps",
+        "angularMomentumDrift",
+        "energyDrift"
+      ]
+    parsed arguments =
+      getParseResult (execParserPure defaultPrefs (info photonOptions mempty) arguments)
     outcome arguments = case resolvePhoton <$> parsed arguments of
       Just (Right task) -> pure (photonOutcome task)
       Just (Left problems) -> fail (concatMap renderProblem problems)
@@ -174,7 +293,8 @@ spec = do
     refuses arguments problems =
       it (unwords ("photon" : arguments)) $
         case resolvePhoton <$> parsed arguments of
-          Just (Left found) -> map (\p -> (problemOption p, problemValue p)) found `shouldBe` problems
+          Just (Left found) ->
+            map (\p -> (problemOption p, problemValue p)) found `shouldBe` problems
           _ -> expectationFailure "taken"
     onItsRadius point = case point of
       [_, r, x, y, z] -> abs (r - sqrt (x * x + y * y + z * z)) < 1e-9 * r

@@ -32,9 +32,15 @@ spec = do
       previewSize 80 24 (1920, 1080) `shouldBe` (80, 44)
       previewSize 80 24 (100, 1000) `shouldBe` (5, 46)
     prop "never exceeds the terminal, and is never empty" $
-      forAll ((,,,) <$> choose (1, 300) <*> choose (1, 100) <*> choose (1, 5000) <*> choose (1, 5000)) $ \(columns, textLines, w, h) ->
-        let (across, down) = previewSize columns textLines (w, h)
-         in counterexample (show (across, down)) (across >= 1 && across <= columns && even down && down >= 2 && down <= 2 * max 1 (textLines - 1))
+      forAll
+        ((,,,) <$> choose (1, 300) <*> choose (1, 100) <*> choose (1, 5000) <*> choose (1, 5000))
+        $ \(columns, textLines, w, h) ->
+          let (across, down) = previewSize columns textLines (w, h)
+           in counterexample
+                (show (across, down))
+                ( across >= 1 && across <= columns && even down && down >= 2
+                    && down <= 2 * max 1 (textLines - 1)
+                )
   describe "text" $ do
     it "has two pixels in a character, in true colour" $
       previewText TrueColour (picture 1 2 [255, 0, 1, 2, 3, 4])
@@ -46,7 +52,13 @@ spec = do
       previewText IndexedColour (picture 2 2 [255, 0, 0, 95, 135, 175, 0, 0, 0, 118, 118, 118])
         `shouldBe` "\ESC[38;5;196m\ESC[48;5;16m▀\ESC[38;5;67m\ESC[48;5;243m▀\ESC[0m\n"
     it "grows denser with the light, in letters" $
-      previewText Letters (picture 3 2 ([0, 0, 0, 128, 128, 128, 255, 255, 255] ++ [0, 0, 0, 128, 128, 128, 255, 255, 255]))
+      previewText
+        Letters
+        ( picture
+            3
+            2
+            ([0, 0, 0, 128, 128, 128, 255, 255, 255] ++ [0, 0, 0, 128, 128, 128, 255, 255, 255])
+        )
         `shouldBe` " =@\n"
     it "ends every line" $
       length (lines (previewText IndexedColour (picture 4 6 (replicate 72 9)))) `shouldBe` 3

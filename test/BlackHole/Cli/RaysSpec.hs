@@ -17,9 +17,11 @@ spec = do
     resolve ["-o", "a/b.PNG", "--rays", "9", "--extent", "5", "--width", "300"]
       `shouldBe` Just (Right (RaysTask Png (RayFan 9 5 300 noSpin)))
   it "takes a spin" $
-    resolve ["--spin", "-0.9"] `shouldBe` Just (Right (RaysTask Svg (maybe defaultRayFan (RayFan 31 8 1200) (spin (-0.9)))))
+    resolve ["--spin", "-0.9"]
+      `shouldBe` Just (Right (RaysTask Svg (maybe defaultRayFan (RayFan 31 8 1200) (spin (-0.9)))))
   it "draws spin 0 as no spin, byte for byte" $
-    (fmap raysFile <$> resolve ["--spin", "0"]) `shouldBe` Just (Right (raysFile (RaysTask Svg defaultRayFan)))
+    (fmap raysFile <$> resolve ["--spin", "0"])
+      `shouldBe` Just (Right (raysFile (RaysTask Svg defaultRayFan)))
   it "writes what the ending says" $ do
     Lazy.take 4 (raysFile (RaysTask Png small)) `shouldBe` Lazy.pack [0x89, 0x50, 0x4e, 0x47]
     Characters.take 5 (raysFile (RaysTask Svg small)) `shouldBe` Characters.pack "<?xml"
@@ -36,9 +38,12 @@ spec = do
     refuses ["-o", ""] [("--output", "''")]
   where
     small = RayFan 9 5 200 noSpin
-    resolve arguments = resolveRays <$> getParseResult (execParserPure defaultPrefs (info raysOptions mempty) arguments)
+    resolve arguments =
+      resolveRays
+        <$> getParseResult (execParserPure defaultPrefs (info raysOptions mempty) arguments)
     refuses arguments problems =
       it (unwords ("rays" : arguments)) $
         case resolve arguments of
-          Just (Left found) -> map (\p -> (problemOption p, problemValue p)) found `shouldBe` problems
+          Just (Left found) ->
+            map (\p -> (problemOption p, problemValue p)) found `shouldBe` problems
           _ -> expectationFailure "taken"

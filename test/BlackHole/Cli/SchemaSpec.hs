@@ -25,10 +25,16 @@ spec = do
   describe "to an independent reader of schemas (python3-jsonschema, python3-yaml)" $ do
     it "allows all scenes of the checkout, all presets and random scenes" $ do
       folders <- filterM doesDirectoryExist ["scenes"]
-      files <- concat <$> mapM (\d -> map (d </>) . filter ((== ".yaml") . takeExtension) <$> listDirectory d) folders
+      files <-
+        concat
+          <$> mapM
+            (\d -> map (d </>) . filter ((== ".yaml") . takeExtension) <$> listDirectory d)
+            folders
       scenes <- mapM readFile files
       random <- generate (vectorOf 40 validScene)
-      judged (scenes ++ map (printScene [] . snd) presets ++ map (printScene []) random) (all (== "valid"))
+      judged
+        (scenes ++ map (printScene [] . snd) presets ++ map (printScene []) random)
+        (all (== "valid"))
     it "refuses what the program refuses" $
       judged mistakes (all (== "invalid"))
   where
@@ -44,7 +50,8 @@ spec = do
     below _ _ = False
     judged texts expected = withSystemTempDirectory "blackhole-spec" $ \folder -> do
       writeFile (folder </> "schema.json") (renderJson sceneSchema)
-      forM_ (zip [1000 :: Int ..] texts) $ \(n, text) -> writeFile (folder </> (show n ++ ".yaml")) text
+      forM_ (zip [1000 :: Int ..] texts) $ \(n, text) ->
+        writeFile (folder </> (show n ++ ".yaml")) text
       withTool "python3" $ \tool -> do
         output <- lines . Characters.unpack <$> toolOutput tool ["-c", judge, folder]
         case output of

@@ -15,7 +15,23 @@ spec :: Spec
 spec =
   it "500 renders in one process take no more memory than 100" $
     withSystemTempDirectory "blackhole-spec" $ \folder -> do
-      let once = quietly ["render", "--width", "8", "--samples", "1", "--sky", "none", "--no-disk", "--integrator", "exact", "--quiet", "-o", folder </> "a.png"] `shouldReturn` ExitSuccess
+      let once =
+            quietly
+              [ "render",
+                "--width",
+                "8",
+                "--samples",
+                "1",
+                "--sky",
+                "none",
+                "--no-disk",
+                "--integrator",
+                "exact",
+                "--quiet",
+                "-o",
+                folder </> "a.png"
+              ]
+              `shouldReturn` ExitSuccess
       replicateM_ 100 once
       early <- residentKilobytes
       replicateM_ 400 once
@@ -27,6 +43,10 @@ residentKilobytes :: IO (Maybe Int)
 residentKilobytes = do
   performMajorGC
   status <- try (readFile "/proc/self/status") :: IO (Either IOException String)
-  pure $ case [read digits | line <- either (const []) lines status, "VmRSS:" `isPrefixOf` line, digits@(_ : _) <- [filter isDigit line]] of
+  pure $ case [ read digits
+                | line <- either (const []) lines status,
+                  "VmRSS:" `isPrefixOf` line,
+                  digits@(_ : _) <- [filter isDigit line]
+              ] of
     kilobytes : _ -> Just kilobytes
     [] -> Nothing

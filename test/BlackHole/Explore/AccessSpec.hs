@@ -12,7 +12,8 @@ spec :: Spec
 spec = do
   it "answers a page that knows the token, at either name of this machine" $ do
     verdict own `shouldBe` Right "page.js"
-    verdict own {askedHost = Just "localhost:4321", askedOrigin = Just "http://localhost:4321"} `shouldBe` Right "page.js"
+    verdict own {askedHost = Just "localhost:4321", askedOrigin = Just "http://localhost:4321"}
+      `shouldBe` Right "page.js"
     verdict own {askedMethod = "HEAD"} `shouldBe` Right "page.js"
     verdict own {askedPath = "/" <> token <> "/"} `shouldBe` Right ""
   it "refuses everybody else" $ do
@@ -56,7 +57,8 @@ spec = do
     tokens <- mapM (const newToken) [1 .. 20 :: Int]
     map Bytes.length tokens `shouldBe` replicate 20 32
     all (Char8.all (`elem` ("0123456789abcdef" :: String))) tokens `shouldBe` True
-    [() | (i, a) <- zip [0 :: Int ..] tokens, (j, b) <- zip [0 ..] tokens, i < j, a == b] `shouldBe` []
+    [() | (i, a) <- zip [0 :: Int ..] tokens, (j, b) <- zip [0 ..] tokens, i < j, a == b]
+      `shouldBe` []
   it "gives the address" $
     pageAddress access `shouldBe` "http://127.0.0.1:4321/0123456789abcdef0123456789abcdef/"
 

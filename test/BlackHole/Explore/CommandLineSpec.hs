@@ -15,19 +15,31 @@ import Test.QuickCheck
 spec :: Spec
 spec = do
   it "needs no option for a preset" $
-    sequence_ [commandLine name shown `shouldBe` Options (if name == "default" then [] else ["--preset", name]) | (name, shown) <- presets]
+    sequence_
+      [ commandLine name shown
+          `shouldBe` Options (if name == "default" then [] else ["--preset", name])
+        | (name, shown) <- presets
+      ]
   it "names only what differs" $ do
-    commandLine "default" (applySettings [Setting "image.width" (WholeValue 320), Setting "camera.inclination" (NumberValue 60)] defaultScene)
+    commandLine
+      "default"
+      ( applySettings
+          [Setting "image.width" (WholeValue 320), Setting "camera.inclination" (NumberValue 60)]
+          defaultScene
+      )
       `shouldBe` Options ["--inclination", "60", "--width", "320"]
-    commandLine "kerr" (applySettings [Setting "disk.present" (SwitchValue False)] (scene "kerr")) `shouldBe` Options ["--preset", "kerr", "--no-disk"]
+    commandLine "kerr" (applySettings [Setting "disk.present" (SwitchValue False)] (scene "kerr"))
+      `shouldBe` Options ["--preset", "kerr", "--no-disk"]
   it "says which settings only a file can hold" $
-    commandLine "default" (applySettings [Setting "disk.fade" (NumberValue 0.4)] defaultScene) `shouldBe` NeedsFile ["disk.fade"]
+    commandLine "default" (applySettings [Setting "disk.fade" (NumberValue 0.4)] defaultScene)
+      `shouldBe` NeedsFile ["disk.fade"]
   it "makes exactly the scene, read as the program reads it" $
-    forAll (elements presetNames) $ \preset -> forAll validScene $ \wanted -> case commandLine preset wanted of
-      NeedsFile _ -> property True
-      Options arguments -> case parseArguments "" ("render" : arguments) of
-        Run (Render options) -> resolveScene (renderScene options) Nothing === Right wanted
-        _ -> counterexample (unwords arguments) False
+    forAll (elements presetNames) $ \preset ->
+      forAll validScene $ \wanted -> case commandLine preset wanted of
+        NeedsFile _ -> property True
+        Options arguments -> case parseArguments "" ("render" : arguments) of
+          Run (Render options) -> resolveScene (renderScene options) Nothing === Right wanted
+          _ -> counterexample (unwords arguments) False
   it "makes exactly the scene of a few changed options" $
     forAll (elements presetNames) $ \preset -> forAll (vectorOf 3 (elements changes)) $ \settings ->
       let wanted = applySettings settings (scene preset)

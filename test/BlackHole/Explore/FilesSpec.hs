@@ -16,9 +16,23 @@ import Test.Hspec
 spec :: Spec
 spec = do
   it "accepts plain names alone" $ do
-    [nameFault [".yaml"] name | name <- ["a.yaml", "My scene.YAML", "häuser.yaml"]] `shouldBe` [Nothing, Nothing, Nothing]
-    forM_ ["", "../a.yaml", "/a.yaml", "b/a.yaml", "b\\a.yaml", ".a.yaml", "-a.yaml", "a\n.yaml", "a.png", "a", replicate 300 'a' ++ ".yaml"] $ \name ->
-      nameFault [".yaml"] name `shouldSatisfy` (/= Nothing)
+    [nameFault [".yaml"] name | name <- ["a.yaml", "My scene.YAML", "häuser.yaml"]]
+      `shouldBe` [Nothing, Nothing, Nothing]
+    forM_
+      [ "",
+        "../a.yaml",
+        "/a.yaml",
+        "b/a.yaml",
+        "b\\a.yaml",
+        ".a.yaml",
+        "-a.yaml",
+        "a\n.yaml",
+        "a.png",
+        "a",
+        replicate 300 'a' ++ ".yaml"
+      ]
+      $ \name ->
+        nameFault [".yaml"] name `shouldSatisfy` (/= Nothing)
   it "keeps what exists unless asked, and follows no links" $
     inFolder $ \outside -> do
       writableFile [".yaml"] KeepFile "new.yaml" `shouldReturn` Right True
@@ -34,8 +48,17 @@ spec = do
       writeFile (outside </> "sky.png") ""
       createSymbolicLink outside "away"
       createSymbolicLink (outside </> "sky.png") "link.png"
-      mapM readableFile ["inner/sky.png", "./inner/sky.png", "none.png"] `shouldReturn` [True, True, True]
-      mapM readableFile ["../outside/sky.png", outside </> "sky.png", "away/sky.png", "link.png", "inner/../../outside/sky.png"] `shouldReturn` replicate 5 False
+      mapM readableFile ["inner/sky.png", "./inner/sky.png", "none.png"]
+        `shouldReturn` [True, True, True]
+      mapM
+        readableFile
+        [ "../outside/sky.png",
+          outside </> "sky.png",
+          "away/sky.png",
+          "link.png",
+          "inner/../../outside/sky.png"
+        ]
+        `shouldReturn` replicate 5 False
   it "has the page as it is in data/explore" $
     forM_ pageFiles $ \(name, _, contents) -> do
       let file = if Bytes.null name then "page.html" else Char8.unpack name

@@ -26,8 +26,16 @@ spec = do
         | (text, message) <-
             [ ("window 920 518", Window 920 518),
               ("drawn 7", Drawn 7),
-              ("change 3\ncamera.fov 30\noutput.dither off", Change 3 [Setting "camera.fov" (NumberValue 30), Setting "output.dither" (SwitchValue False)]),
-              ("restore 4 kerr\nhole.spin 0.5", Restore 4 "kerr" [Setting "hole.spin" (NumberValue 0.5)]),
+              ( "change 3\ncamera.fov 30\noutput.dither off",
+                Change
+                  3
+                  [ Setting "camera.fov" (NumberValue 30),
+                    Setting "output.dither" (SwitchValue False)
+                  ]
+              ),
+              ( "restore 4 kerr\nhole.spin 0.5",
+                Restore 4 "kerr" [Setting "hole.spin" (NumberValue 0.5)]
+              ),
               ("preset 5 luminet", LoadPreset 5 "luminet"),
               ("orbit 6 1.5 -2", Steer 6 (OrbitHole 1.5 (-2))),
               ("approach 7 0.9", Steer 7 (Approach 0.9)),
@@ -37,7 +45,17 @@ spec = do
               ("inspect 0.25 1", Inspect 0.25 1),
               ("command", AskCommand),
               ("save-scene keep my scene.yaml", SaveScene KeepFile "my scene.yaml"),
-              ("animation 5 24 smooth\nkey 0\ncamera.fov 30\nkey 2.5\ncamera.fov 20", DefineAnimation (Timeline 5 24 Smooth [Key 0 [Setting "camera.fov" (NumberValue 30)], Key 2.5 [Setting "camera.fov" (NumberValue 20)]])),
+              ( "animation 5 24 smooth\nkey 0\ncamera.fov 30\nkey 2.5\ncamera.fov 20",
+                DefineAnimation
+                  ( Timeline
+                      5
+                      24
+                      Smooth
+                      [ Key 0 [Setting "camera.fov" (NumberValue 30)],
+                        Key 2.5 [Setting "camera.fov" (NumberValue 20)]
+                      ]
+                  )
+              ),
               ("save-animation replace animation.yaml", SaveAnimation ReplaceFile "animation.yaml"),
               ("scrub 11 2.5", Scrub 11 2.5),
               ("render keep hole.png", RenderFile KeepFile "hole.png"),
@@ -53,8 +71,12 @@ spec = do
               ("window 0 10", (Nothing, "'0' is not a whole number from 1 to 7680")),
               ("orbit 6 nan 0", (Just 6, "'nan' is not a number from -3600 to 3600")),
               ("change 3\ncamera.fav 30", (Just 3, "no setting: 'camera.fav'")),
-              ("change 3\ncamera.fov 30 degrees", (Just 3, "camera.fov: '30 degrees' is not a number")),
-              ("change 3\ncamera.fov 400", (Just 3, "camera.fov: '400' is not an angle above 0 and up to 360 (degrees)")),
+              ( "change 3\ncamera.fov 30 degrees",
+                (Just 3, "camera.fov: '30 degrees' is not a number")
+              ),
+              ( "change 3\ncamera.fov 400",
+                (Just 3, "camera.fov: '400' is not an angle above 0 and up to 360 (degrees)")
+              ),
               ("scrub 11 -1", (Just 11, "'-1' is not a number from 0 to 3600")),
               ("save-scene keep", (Nothing, "a file needs a name")),
               ("cancel\nnow", (Nothing, "a message with too many lines"))
@@ -76,8 +98,13 @@ spec = do
   it "reads back a whole scene" $
     forAll validScene $ \scene ->
       let settings = sceneSettings scene
-          text = unlines ("restore 1 default" : [path ++ " " ++ valueText value | Setting path value <- settings])
-       in parseMessage (Lazy.toStrict (Builder.toLazyByteString (Builder.stringUtf8 text))) === Right (Restore 1 "default" settings)
+          text =
+            unlines
+              ( "restore 1 default" :
+                  [path ++ " " ++ valueText value | Setting path value <- settings]
+              )
+       in parseMessage (Lazy.toStrict (Builder.toLazyByteString (Builder.stringUtf8 text)))
+            === Right (Restore 1 "default" settings)
 
 answered :: Int -> Property
 answered size = property (size > 0)
@@ -90,9 +117,43 @@ mixture = do
   where
     word =
       oneof
-        [ elements ["window", "drawn", "change", "restore", "preset", "orbit", "approach", "look", "roll", "face", "inspect", "save-scene", "animation", "key", "scrub", "render", "keep", "replace", "smooth"],
+        [ elements
+            [ "window",
+              "drawn",
+              "change",
+              "restore",
+              "preset",
+              "orbit",
+              "approach",
+              "look",
+              "roll",
+              "face",
+              "inspect",
+              "save-scene",
+              "animation",
+              "key",
+              "scrub",
+              "render",
+              "keep",
+              "replace",
+              "smooth"
+            ],
           elements (map fieldPath sceneFields),
-          elements ["0", "1", "-1", "1e9", "1e9999", "1e99999999", "nan", "inf", "", "-", "99999999999999999999999", "0x10", "1,2,3"],
+          elements
+            [ "0",
+              "1",
+              "-1",
+              "1e9",
+              "1e9999",
+              "1e99999999",
+              "nan",
+              "inf",
+              "",
+              "-",
+              "99999999999999999999999",
+              "0x10",
+              "1,2,3"
+            ],
           show <$> (arbitrary :: Gen Double),
           arbitrary
         ]

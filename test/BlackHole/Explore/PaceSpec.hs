@@ -12,7 +12,10 @@ spec = do
     forAll (choose (-7, -5)) $ \power ->
       let perPixel = 10 ** power
           fixed = 0.008 :: Double
-          next pace = let Picture w h = movingSize pace window in paced (w * h) (fixed + perPixel * fromIntegral (w * h)) pace
+          next pace =
+            let Picture w h =
+                  movingSize pace window
+             in paced (w * h) (fixed + perPixel * fromIntegral (w * h)) pace
           settled = iterate next initialPace !! 40
           Picture width height = movingSize settled window
           seconds = fixed + perPixel * fromIntegral (width * height)

@@ -41,10 +41,15 @@ spec = do
     withPage $ \page -> do
       say page "window 48 27"
       frames <- framesUntilFinished page
-      (frameStage (head frames), Bytes.take 2 (framePicture (head frames))) `shouldBe` (0, "\xff\xd8")
+      (frameStage (head frames), Bytes.take 2 (framePicture (head frames)))
+        `shouldBe` (0, "\xff\xd8")
       let scene = defaultScene {scenePicture = Picture 48 27}
       exposed <- exposeFilm Nothing oneWorker (const (pure ())) scene (0, 27)
-      expected <- maybe (pure Nothing) (pictureBytes oneWorker software Png defaultCoding (scene :| [])) exposed
+      expected <-
+        maybe
+          (pure Nothing)
+          (pictureBytes oneWorker software Png defaultCoding (scene :| []))
+          exposed
       Just (Lazy.fromStrict (framePicture (last frames))) `shouldBe` expected
   it "refines to the same bytes whatever came before" $
     withPage $ \page -> do
@@ -62,7 +67,8 @@ spec = do
   it "sends no third frame to a page that draws none" $
     withPage $ \page -> do
       say page "window 48 27"
-      forM_ [1 .. 20 :: Int] $ \n -> say page (Char8.pack ("orbit " ++ show n ++ " 3 1")) >> threadDelay 50000
+      forM_ [1 .. 20 :: Int] $ \n ->
+        say page (Char8.pack ("orbit " ++ show n ++ " 3 1")) >> threadDelay 50000
       frames <- atomically (flushTQueue (pageFrames page))
       length frames `shouldSatisfy` (<= 2)
       forM_ frames (drawn page)
@@ -103,7 +109,11 @@ spec = do
       written <- Lazy.readFile "hole.png"
       let scene = defaultScene {scenePicture = Picture 32 18}
       exposed <- exposeFilm Nothing oneWorker (const (pure ())) scene (0, 18)
-      expected <- maybe (pure Nothing) (pictureBytes oneWorker software Png defaultCoding (scene :| [])) exposed
+      expected <-
+        maybe
+          (pure Nothing)
+          (pictureBytes oneWorker software Png defaultCoding (scene :| []))
+          exposed
       Just written `shouldBe` expected
   it "keeps the scenes of two pages apart" $
     withPage $ \one -> do
@@ -134,9 +144,16 @@ data Page = Page
 -- | A page of a new state, in a folder of its own.
 withPage :: (Page -> IO ()) -> IO ()
 withPage action = withSystemTempDirectory "blackhole" $ \folder -> withCurrentDirectory folder $ do
-  state <- newServerState (Renderer oneWorker (const (pure (Right Nothing))) (\_ _ -> pure Nothing)) ("default", defaultScene) (Builder.toLazyByteString . Builder.stringUtf8 . renderJson . replyJson)
+  state <-
+    newServerState
+      (Renderer oneWorker (const (pure (Right Nothing))) (\_ _ -> pure Nothing))
+      ("default", defaultScene)
+      (Builder.toLazyByteString . Builder.stringUtf8 . renderJson . replyJson)
   page <- another state
-  outcome <- timeout 120000000 (withAsync (serveSession state (pageTalk page)) (\running -> link running >> action page))
+  outcome <-
+    timeout
+      120000000
+      (withAsync (serveSession state (pageTalk page)) (\running -> link running >> action page))
   outcome `shouldBe` Just ()
 
 another :: ServerState -> IO Page
@@ -147,12 +164,20 @@ another state = do
   let receive message = atomically $ case message of
         TextMessage text -> writeTQueue texts (Char8.unpack (Lazy.toStrict text))
         BinaryMessage bytes -> writeTQueue frames (frameOf (Lazy.toStrict bytes))
-  pure (Page state incoming frames texts (Connection (Just <$> atomically (readTQueue incoming)) receive))
+  pure
+    ( Page
+        state
+        incoming
+        frames
+        texts
+        (Connection (Just <$> atomically (readTQueue incoming)) receive)
+    )
 
 frameOf :: Bytes.ByteString -> Frame'
 frameOf bytes = Frame' (number 0 1) (number 6 4) (number 10 4) (Bytes.drop 16 bytes)
   where
-    number at count = Bytes.foldl' (\n b -> 256 * n + fromIntegral b) 0 (Bytes.take count (Bytes.drop at bytes))
+    number at count =
+      Bytes.foldl' (\n b -> 256 * n + fromIntegral b) 0 (Bytes.take count (Bytes.drop at bytes))
 
 say :: Page -> Bytes.ByteString -> IO ()
 say page = atomically . writeTQueue (pageIn page)

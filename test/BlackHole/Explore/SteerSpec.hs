@@ -19,8 +19,19 @@ spec = do
     pose (steer (OrbitHole (-100) 0) defaultScene) `shouldBe` Around 54 (Degrees 77) (Degrees 350)
     pose (steer (OrbitHole 0 500) defaultScene) `shouldBe` Around 54 (Degrees 180) (Degrees 90)
   it "orbits in the same way with a camera that has a position" $ do
-    let circling = defaultScene {sceneCamera = (sceneCamera defaultScene) {cameraPose = Around 20 (Degrees 60) (Degrees 30)}}
-        placed = defaultScene {sceneCamera = (sceneCamera defaultScene) {cameraPose = LookAt (posePosition (Around 20 (Degrees 60) (Degrees 30))) (XYZ 0 0 0)}}
+    let circling =
+          defaultScene
+            { sceneCamera =
+                (sceneCamera defaultScene) {cameraPose = Around 20 (Degrees 60) (Degrees 30)}
+            }
+        placed =
+          defaultScene
+            { sceneCamera =
+                (sceneCamera defaultScene)
+                  { cameraPose =
+                      LookAt (posePosition (Around 20 (Degrees 60) (Degrees 30))) (XYZ 0 0 0)
+                  }
+            }
         moved how scene = posePosition (pose (steer how scene))
     sequence_
       [ XYZ.norm (moved how circling ^-^ moved how placed) `shouldSatisfy` (< 2e-3)
@@ -35,10 +46,12 @@ spec = do
     sequence_
       [ case (cameraFrame (sceneCamera rolled), cameraFrame (sceneCamera (steer how rolled))) of
           (Just start, Just end) -> do
-            XYZ.dot (frameForward end) (along start) `shouldSatisfy` (\c -> abs (c - sin (10 * pi / 180)) < 1e-4)
+            XYZ.dot (frameForward end) (along start)
+              `shouldSatisfy` (\c -> abs (c - sin (10 * pi / 180)) < 1e-4)
             XYZ.dot (frameForward end) (across start) `shouldSatisfy` ((< 1e-4) . abs)
           _ -> expectationFailure "the camera has no frame"
-        | (how, along, across) <- [(LookAround 10 0, frameRight, frameUp), (LookAround 0 10, frameUp, frameRight)],
+        | (how, along, across) <-
+            [(LookAround 10 0, frameRight, frameUp), (LookAround 0 10, frameUp, frameRight)],
           rolled <- [defaultScene, steer (RollBy 70) defaultScene]
       ]
   it "looks at the hole again" $

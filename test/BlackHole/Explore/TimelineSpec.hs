@@ -25,22 +25,41 @@ spec = do
     at 1 `shouldBe` Right (Right (Around 37 (Degrees 77) (Degrees 100)))
   it "takes the shorter way round" $ do
     let turnedTo a = change [("camera.azimuth", NumberValue a)]
-        made = sequenceAnimation <$> sequenceOf (timeline Linear [key 0 (turnedTo 350), key 1 (turnedTo 10)])
-    (fmap (cameraPose . sceneCamera) <$> ((`sceneAt` 0.5) <$> made)) `shouldBe` Right (Right (Around 54 (Degrees 77) (Degrees 360)))
+        made =
+          sequenceAnimation
+            <$> sequenceOf (timeline Linear [key 0 (turnedTo 350), key 1 (turnedTo 10)])
+    (fmap (cameraPose . sceneCamera) <$> ((`sceneAt` 0.5) <$> made))
+      `shouldBe` Right (Right (Around 54 (Degrees 77) (Degrees 360)))
   it "writes a file that the program reads as the same animation" $
-    case sequenceOf (timeline Smooth [key 2 nearer, key 0 defaultScene, key 1.5 (change [("disk.time", NumberValue 40)])]) of
+    case sequenceOf
+      ( timeline
+          Smooth
+          [key 2 nearer, key 0 defaultScene, key 1.5 (change [("disk.time", NumberValue 40)])]
+      ) of
       Left faults -> expectationFailure (unlines faults)
-      Right made -> case resolveAnimation (SceneOptions (Just "animation.yaml") Nothing []) (Just (Char8.pack (sequenceText made))) of
+      Right made -> case resolveAnimation
+        (SceneOptions (Just "animation.yaml") Nothing [])
+        (Just (Char8.pack (sequenceText made))) of
         Right (Just animation) -> do
           (animationFrames animation, animationRate animation) `shouldBe` (72, 24)
-          sequence_ [sceneAt animation t `shouldBe` sceneAt (sequenceAnimation made) t | t <- [0, 0.3 .. 3]]
+          sequence_
+            [sceneAt animation t `shouldBe` sceneAt (sequenceAnimation made) t | t <- [0, 0.3 .. 3]]
         _ -> expectationFailure "this is not an animation"
   it "says what cannot change" $
-    (sequenceFixed <$> sequenceOf (timeline Linear [key 0 defaultScene, key 1 (change [("sky.kind", NameValue "grid"), ("camera.fov", NumberValue 20)])]))
+    ( sequenceFixed
+        <$> sequenceOf
+          ( timeline
+              Linear
+              [ key 0 defaultScene,
+                key 1 (change [("sky.kind", NameValue "grid"), ("camera.fov", NumberValue 20)])
+              ]
+          )
+    )
       `shouldBe` Right ["sky.kind", "sky.rotation", "sky.brightness", "sky.milky-way"]
   it "needs a key, and one for each time" $ do
     problems (sequenceOf (timeline Linear [])) `shouldBe` ["an animation needs a keyframe"]
-    problems (sequenceOf (timeline Linear [key 1 defaultScene, key 1 nearer])) `shouldBe` ["two keyframes have the same time"]
+    problems (sequenceOf (timeline Linear [key 1 defaultScene, key 1 nearer]))
+      `shouldBe` ["two keyframes have the same time"]
   where
     timeline = Timeline 3 24
     key seconds scene = Key seconds (sceneSettings scene)

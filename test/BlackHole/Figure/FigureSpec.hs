@@ -23,13 +23,21 @@ spec = do
       forAll ((,) <$> choose (0.5, 5) <*> choose (0.5, 5)) $ \(dash, gap) ->
         let len = 1000
             points = [XY (len * k / 37) 0 | k <- [0 .. 37]]
-            drawn = sum [XY.norm (q XY.^-^ p) | piece <- dashes dash gap points, (p, q) <- zip piece (drop 1 piece)]
+            drawn =
+              sum
+                [ XY.norm (q XY.^-^ p)
+                  | piece <- dashes dash gap points,
+                    (p, q) <- zip piece (drop 1 piece)
+                ]
          in closeTo (dash + gap) (len * dash / (dash + gap)) drawn
   describe "the outline of a circle" $ do
     it "is closed and has all its corners on the circle" $ do
       let outline = circleOutline (XY 3 4) 50
       map (\p -> XY.norm (p XY.^-^ XY 3 4)) outline `shouldSatisfy` all (\r -> abs (r - 50) < 1e-9)
-      sequence_ [XY.norm (p XY.^-^ q) `shouldBeWithin` (1e-9, 0) | (p, q) <- take 1 (zip outline (reverse outline))]
+      sequence_
+        [ XY.norm (p XY.^-^ q) `shouldBeWithin` (1e-9, 0)
+          | (p, q) <- take 1 (zip outline (reverse outline))
+        ]
     it "is nowhere a fiftieth of a pixel off" $
       sequence_
         [ XY.norm (XY.lerp 0.5 p q) `shouldBeWithin` (0.02, r)

@@ -22,26 +22,40 @@ spec = do
       `shouldBeWithin` (3, 3 * sqrt (40.2 * 40.2 + 28.6 * 28.6) + pi * 2.25)
   it "a line drawn in many pieces, or twice over itself, is the same line" $ do
     let whole = drawn [Polyline (line 2) [XY 10 5, XY 50 33]]
-        pieces = drawn [Polyline (line 2) ([XY (10 + 40 * t) (5 + 28 * t) | k <- [0 .. 20 :: Int], let { t = fromIntegral k / 20 }] ++ [XY 10 5])]
+        onTheLine t = XY (10 + 40 * t) (5 + 28 * t)
+        pieces = drawn [Polyline (line 2) (map onTheLine ([0, 0.05 .. 1] ++ [0]))]
     abs (inkOf whole - inkOf pieces) `shouldSatisfy` (< 0.5)
   it "thin lines get paler" $
     inkOf (drawn [Polyline (line 0.5) [XY 10 20.5, XY 50 20.5]]) `shouldBeWithin` (2, 20)
   it "a polygon is filled, whichever way round" $ do
     let corners = [XY 10 10, XY 40 10, XY 40 30, XY 10 30]
-    mapM_ (\p -> inkOf (drawn [Polygon black p]) `shouldBeWithin` (1, 600)) [corners, reverse corners]
+    mapM_
+      (\p -> inkOf (drawn [Polygon black p]) `shouldBeWithin` (1, 600))
+      [corners, reverse corners]
   it "nothing is drawn outside the clip" $ do
     let image = drawn [Clipped (Box 0 0 30 40) [Disc black (XY 30 20) 10]]
     inkOf image `shouldBeWithin` (2, 50 * pi)
     pixelAt image 32 20 `shouldBe` PixelRGB8 255 255 255
     pixelAt image 27 20 `shouldBe` PixelRGB8 0 0 0
   it "later shapes lie on top, in their own colour" $
-    pixelAt (drawn [Disc black (XY 30 20) 10, Disc (Colour 10 200 30) (XY 30 20) 5]) 30 20 `shouldBe` PixelRGB8 10 200 30
+    pixelAt (drawn [Disc black (XY 30 20) 10, Disc (Colour 10 200 30) (XY 30 20) 5]) 30 20
+      `shouldBe` PixelRGB8 10 200 30
   it "shapes that lie outside, or are no shapes, leave the picture white" $
-    inkOf (drawn [Disc black (XY 500 20) 10, Polyline (line 2) [XY 0 (-50), XY 60 (-50)], Polyline (line 2) [], Polygon black [], Polygon black [XY 3 3]])
+    inkOf
+      ( drawn
+          [ Disc black (XY 500 20) 10,
+            Polyline (line 2) [XY 0 (-50), XY 60 (-50)],
+            Polyline (line 2) [],
+            Polygon black [],
+            Polygon black [XY 3 3]
+          ]
+      )
       `shouldBeWithin` (0.6, 0)
   it "text is where its anchor says" $ do
-    let written anchor = drawn [Words (Label (XY 30 25) anchor 14 black False [Plain "b", Subscript "c"])]
-        columns image = [x | x <- [0 .. 59], any (\y -> pixelAt image x y /= PixelRGB8 255 255 255) [0 .. 39]]
+    let written anchor =
+          drawn [Words (Label (XY 30 25) anchor 14 black False [Plain "b", Subscript "c"])]
+        columns image =
+          [x | x <- [0 .. 59], any (\y -> pixelAt image x y /= PixelRGB8 255 255 255) [0 .. 39]]
     minimum (60 : columns (written AtStart)) `shouldSatisfy` (>= 28)
     maximum (0 : columns (written AtEnd)) `shouldSatisfy` (<= 31)
     inkOf (written AtMiddle) `shouldSatisfy` (> 20)

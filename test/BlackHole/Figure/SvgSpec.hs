@@ -2,6 +2,7 @@ module BlackHole.Figure.SvgSpec (spec) where
 
 import BlackHole.Figure.Figure
 import BlackHole.Figure.RayFan
+import BlackHole.Figure.RayFanFigure
 import BlackHole.Figure.Svg
 import BlackHole.Vector.XY (XY (..))
 import qualified Data.ByteString.Lazy as Lazy
@@ -16,7 +17,10 @@ spec = do
     elements (svg (rayFanFigure defaultRayFan)) `shouldSatisfy` maybe False (not . null)
     elements (svg odd') `shouldSatisfy` maybe False (not . null)
   it "the check for that notices mistakes" $
-    map elements ["<a><b></a>", "<a", "<a x=1/>", "<a>1 & 2</a>", "<a/><b/>", "<a x=\"1\" x=\"2\"/>"] `shouldBe` replicate 6 Nothing
+    map
+      elements
+      ["<a><b></a>", "<a", "<a x=1/>", "<a>1 & 2</a>", "<a/><b/>", "<a x=\"1\" x=\"2\"/>"]
+      `shouldBe` replicate 6 Nothing
   it "has the elements of the figure" $ do
     let names = maybe [] (map fst) (elements (svg (rayFanFigure defaultRayFan)))
     length (filter (== "circle") names) `shouldBe` 3
@@ -36,7 +40,11 @@ spec = do
     written `shouldSatisfy` isInfixOf "a &lt; b &amp; c"
     written `shouldSatisfy` isInfixOf "stroke-dasharray=\"3 4\""
   it "gives clipping paths different names" $ do
-    let ids = [i | ("clipPath", attributes) <- fromMaybe [] (elements (svg odd')), Just i <- [lookup "id" attributes]]
+    let ids =
+          [ i
+            | ("clipPath", attributes) <- fromMaybe [] (elements (svg odd')),
+              Just i <- [lookup "id" attributes]
+          ]
     length ids `shouldBe` 3
     nub ids `shouldBe` ids
   where
@@ -50,9 +58,21 @@ spec = do
           figureShapes =
             [ Polyline (Stroke (Colour 1 2 255) 0.5 (Just (3, 4))) [XY 1 2.5, XY (10 / 3) (-0.001)],
               Polyline (Stroke (Colour 1 2 255) 0.5 Nothing) [],
-              Clipped (Box 0 0 5 5) [Clipped (Box 0 0 5 5) [Disc (Colour 0 0 0) (XY 1 1) 2], Polygon (Colour 9 9 9) [XY 0 0, XY 1 0, XY 0 1]],
+              Clipped
+                (Box 0 0 5 5)
+                [ Clipped (Box 0 0 5 5) [Disc (Colour 0 0 0) (XY 1 1) 2],
+                  Polygon (Colour 9 9 9) [XY 0 0, XY 1 0, XY 0 1]
+                ],
               Clipped (Box 0 0 5 5) [Ring (Stroke (Colour 0 0 0) 1 Nothing) (XY 1 1) 2],
-              Words (Label (XY 1 1) AtEnd 8 (Colour 0 0 0) True [Plain "a < b & c", Subscript "\8722", Plain " d"])
+              Words
+                ( Label
+                    (XY 1 1)
+                    AtEnd
+                    8
+                    (Colour 0 0 0)
+                    True
+                    [Plain "a < b & c", Subscript "\8722", Plain " d"]
+                )
             ]
         }
 
@@ -60,9 +80,11 @@ spec = do
 -- opening: 'Nothing' unless tags nest, attributes are quoted and not repeated,
 -- and there is one outermost element.
 elements :: String -> Maybe [(String, [(String, String)])]
-elements document = go [] [] (maybe document (drop 1 . dropWhile (/= '>')) (stripPrefix "<?xml" document))
+elements document =
+  go [] [] (maybe document (drop 1 . dropWhile (/= '>')) (stripPrefix "<?xml" document))
   where
-    go :: [String] -> [(String, [(String, String)])] -> String -> Maybe [(String, [(String, String)])]
+    go ::
+      [String] -> [(String, [(String, String)])] -> String -> Maybe [(String, [(String, String)])]
     go stack done s = case s of
       "" | null stack -> Just (reverse done)
       '<' : '/' : rest -> case (span isName rest, stack) of

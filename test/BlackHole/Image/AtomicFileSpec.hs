@@ -31,9 +31,13 @@ spec = do
 
     it "takes what an action writes, and nothing of an action that fails" . inFolder $ \folder -> do
       let target = folder </> "hole.png"
-      writeAtomically target (\handle -> Strict.hPut handle former >> Strict.hPut handle former) `shouldReturn` Right ()
+      writeAtomically target (\handle -> Strict.hPut handle former >> Strict.hPut handle former)
+        `shouldReturn` Right ()
       Strict.readFile target `shouldReturn` former <> former
-      failed <- writeAtomically target (\handle -> Strict.hPut handle (Lazy.toStrict latter) >> ioError (userError "no more"))
+      failed <-
+        writeAtomically
+          target
+          (\handle -> Strict.hPut handle (Lazy.toStrict latter) >> ioError (userError "no more"))
       either renderWriteProblem (const "") failed `shouldSatisfy` ("no more" `isInfixOf`)
       Strict.readFile target `shouldReturn` former <> former
       listDirectory folder `shouldReturn` ["hole.png"]

@@ -26,21 +26,25 @@ spec = do
         mconcat (map adler32 parts) === adler32 (Bytes.concat parts)
     it "of many bytes follow their definition" $ do
       let bytes = Bytes.pack (take 70001 (cycle [255, 254 .. 3]))
-          step (a, b) byte = let a' = (a + fromIntegral byte) `mod` 65521 in (a', (b + a') `mod` 65521)
+          step (a, b) byte =
+            let a' = (a + fromIntegral byte) `mod` 65521 in (a', (b + a') `mod` 65521)
           (low, high) = Bytes.foldl' step (1, 0) bytes
       adlerWord (adler32 bytes) `shouldBe` high * 65536 + low
   describe "Huffman codes" $ do
     prop "have the least mean length where no limit is met" $
       -- Known by the sum of all joined weights, found without the tree.
       forAll (U.fromList <$> vectorOf 20 (choose (1, 50))) $ \counts ->
-        U.sum (U.zipWith (*) counts (codeLengths 15 counts)) === joinedWeights (sort (U.toList counts))
+        U.sum (U.zipWith (*) counts (codeLengths 15 counts))
+          === joinedWeights (sort (U.toList counts))
     prop "fill the code space and no more, within the limit" $
-      forAll (U.fromList <$> vectorOf 40 (choose (1 :: Int, 16) >>= \k -> choose (1, 1 `shiftL` k))) $ \counts ->
-        let lengths = codeLengths 7 counts
-         in conjoin
-              [ property (U.maximum lengths <= 7),
-                U.sum (U.map (\n -> 1 `shiftL` (7 - n)) lengths) === (128 :: Int)
-              ]
+      forAll
+        (U.fromList <$> vectorOf 40 (choose (1 :: Int, 16) >>= \k -> choose (1, 1 `shiftL` k)))
+        $ \counts ->
+          let lengths = codeLengths 7 counts
+           in conjoin
+                [ property (U.maximum lengths <= 7),
+                  U.sum (U.map (\n -> 1 `shiftL` (7 - n)) lengths) === (128 :: Int)
+                ]
     it "are those of the standard's example" $
       -- RFC 1951, 3.2.2: lengths 3 3 3 3 3 2 4 4, codes sent first bit first.
       U.toList (canonicalCodes (U.fromList [3, 3, 3, 3, 3, 2, 4, 4]))

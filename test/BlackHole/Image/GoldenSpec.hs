@@ -25,8 +25,15 @@ spec = do
   golden "no-gravity" small {sceneSpacetime = Flat}
   -- Later, with both patterns of turbulence in the disk and the arms turned.
   golden "later" small {sceneDisk = Just defaultDisk {diskTime = 14}, sceneSky = SkyNone}
-  golden "later-report" (sized reportScene) {sceneDisk = Just reportDisk {diskTime = 9, diskTurbulence = 1}}
-  golden "point-stars" small {sceneDisk = Nothing, sceneSky = SkyRandomStars defaultPointStars {pointStarsMilkyWay = 0.3}}
+  golden
+    "later-report"
+    (sized reportScene) {sceneDisk = Just reportDisk {diskTime = 9, diskTurbulence = 1}}
+  golden
+    "point-stars"
+    small
+      { sceneDisk = Nothing,
+        sceneSky = SkyRandomStars defaultPointStars {pointStarsMilkyWay = 0.3}
+      }
   where
     small = sized defaultScene
     sized scene = scene {scenePicture = Picture 160 90, sceneSamples = 1}
@@ -36,5 +43,12 @@ spec = do
         Nothing -> expectationFailure "the scene is not valid"
         Just exposed -> do
           let development = sceneDevelopment scene
-          file <- encoded oneWorker Png (Metadata "blackhole" defaultCoding Bytes.empty) development noLayers exposed
+          file <-
+            encoded
+              oneWorker
+              Png
+              (Metadata "blackhole" defaultCoding Bytes.empty)
+              development
+              noLayers
+              exposed
           maybe (expectationFailure "not encoded") (`shouldMatchGolden` name) file

@@ -28,14 +28,25 @@ spec = do
     soundJpeg (Bytes.take frame plain <> header <> Bytes.drop frame plain) `shouldBe` False
     soundJpeg (changed (frame + 2) 0xff) `shouldBe` False
     soundJpeg Bytes.empty `shouldBe` False
-  it "refuses a scan of tables that are not there, with which JuicyPixels never ends either, and of components that are not" $ do
-    soundJpeg (changed (scan + 6) 0x40) `shouldBe` False
-    soundJpeg (changed (scan + 6) 0x03) `shouldBe` False
-    soundJpeg (changed (scan + 5) 9) `shouldBe` False
-    soundJpeg (changed (scan + 7) 1) `shouldBe` False
-    soundJpeg (changed (tables + 1) 0xfd) `shouldBe` False
+  it
+    "refuses a scan of tables that are not there, with which JuicyPixels never ends either, and \
+    \of components that are not"
+    $ do
+      soundJpeg (changed (scan + 6) 0x40) `shouldBe` False
+      soundJpeg (changed (scan + 6) 0x03) `shouldBe` False
+      soundJpeg (changed (scan + 5) 9) `shouldBe` False
+      soundJpeg (changed (scan + 7) 1) `shouldBe` False
+      soundJpeg (changed (tables + 1) 0xfd) `shouldBe` False
   where
-    plain = Lazy.toStrict (Juicy.encodeJpeg (Juicy.generateImage (\x y -> Juicy.PixelYCbCr8 (fromIntegral (5 * x * y)) 99 (fromIntegral y)) 48 24))
+    plain =
+      Lazy.toStrict
+        ( Juicy.encodeJpeg
+            ( Juicy.generateImage
+                (\x y -> Juicy.PixelYCbCr8 (fromIntegral (5 * x * y)) 99 (fromIntegral y))
+                48
+                24
+            )
+        )
     place marker = Bytes.length (fst (Bytes.breakSubstring (Bytes.pack [0xff, marker]) plain))
     tables = place 0xc4
     frame = place 0xc0

@@ -27,7 +27,8 @@ spec = do
           decoded <- decodePanorama bytes
           case decoded of
             Left problem -> expectationFailure (name ++ " " ++ problem)
-            Right image -> luminance (environmentMapMean image) `shouldBeWithin` (tolerance, expected)
+            Right image ->
+              luminance (environmentMapMean image) `shouldBeWithin` (tolerance, expected)
         | (name, bytes, tolerance, expected) <- files
       ]
   it "says in one line what is wrong with other files" $
@@ -68,7 +69,8 @@ spec = do
     file `seq` pure ()
     allowance <- getAllocationCounter
     outcome <- decodePanorama file
-    fmap environmentMapMean outcome `shouldSatisfy` either (isInfixOf "more than its pixels") (const False)
+    fmap environmentMapMean outcome
+      `shouldSatisfy` either (isInfixOf "more than its pixels") (const False)
     left <- getAllocationCounter
     allowance - left `shouldSatisfy` (< 10000000)
   it "names no file that is not there" $ do
@@ -77,11 +79,27 @@ spec = do
   where
     files =
       [ ("png", png, 1e-4, decodeSrgb (100 / 255)),
-        ("jpeg", Lazy.toStrict (encodeJpegAtQuality 100 (generateImage (\_ _ -> PixelYCbCr8 100 128 128) 16 8)), 2e-3, decodeSrgb (100 / 255)),
-        ("tiff", Lazy.toStrict (encodeTiff (generateImage (\_ _ -> PixelRGB16 25700 25700 25700) 16 8)), 1e-4, decodeSrgb (100 / 255)),
+        ( "jpeg",
+          Lazy.toStrict
+            (encodeJpegAtQuality 100 (generateImage (\_ _ -> PixelYCbCr8 100 128 128) 16 8)),
+          2e-3,
+          decodeSrgb (100 / 255)
+        ),
+        ( "tiff",
+          Lazy.toStrict (encodeTiff (generateImage (\_ _ -> PixelRGB16 25700 25700 25700) 16 8)),
+          1e-4,
+          decodeSrgb (100 / 255)
+        ),
         ("hdr", Lazy.toStrict (encodeHDR (generateImage (\_ _ -> PixelRGBF 3 3 3) 16 8)), 0.05, 3)
       ]
     -- The header of a small picture before other data.
-    bloated packed = Builder.toLazyByteString (Builder.byteString (Bytes.take 33 png) <> Builder.word32BE (fromIntegral (Lazy.length packed)) <> Builder.string7 "IDAT" <> Builder.lazyByteString packed <> Builder.word32BE 0)
+    bloated packed =
+      Builder.toLazyByteString
+        ( Builder.byteString (Bytes.take 33 png)
+            <> Builder.word32BE (fromIntegral (Lazy.length packed))
+            <> Builder.string7 "IDAT"
+            <> Builder.lazyByteString packed
+            <> Builder.word32BE 0
+        )
     png = Lazy.toStrict (encodePng (plain 16 8 :: Image PixelRGB8))
     plain = generateImage (\_ _ -> PixelRGB8 100 100 100)

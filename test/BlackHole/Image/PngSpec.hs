@@ -37,24 +37,33 @@ spec = do
         file <- inBands workers width height bandOf
         ranges <- readIORef asked
         decodedPixels file == Just (width, height, picture width height) `shouldBe` True
-        concat [[first .. first + count - 1] | (first, count) <- reverse ranges] `shouldBe` [0 .. height - 1]
+        concat [[first .. first + count - 1] | (first, count) <- reverse ranges]
+          `shouldBe` [0 .. height - 1]
   it "breaks off when a band or its rows are missing or have another shape or size" $
     forM_
       [ Nothing,
         Just Nothing,
         Just (Codes8 <$> (pixelShape 4 4 3 >>= \shape -> fromPixelVector shape (picture 4 4))),
-        Just (Codes16 <$> (pixelShape 5 4 3 >>= \shape -> fromPixelVector shape (Vector.replicate 60 0)))
+        Just
+          ( Codes16
+              <$> (pixelShape 5 4 3 >>= \shape -> fromPixelVector shape (Vector.replicate 60 0))
+          )
       ]
       $ \band -> do
         let bandOf = const (pure (const <$> band))
-        done <- maybe (pure True) (\shape -> encodePng oneWorker metadata shape 1 bandOf (const (pure ()))) (pixelShape 5 4 3)
+        done <-
+          maybe
+            (pure True)
+            (\shape -> encodePng oneWorker metadata shape 1 bandOf (const (pure ())))
+            (pixelShape 5 4 3)
         done `shouldBe` False
   where
     metadata = Metadata "spec" defaultCoding Bytes.empty
     roundTrip (width, height) = do
       file <- encoded oneWorker width height
       decodedPixels file == Just (width, height, picture width height) `shouldBe` True
-    encoded workers width height = inBands workers width height (const (pure (Just (codesOf width height))))
+    encoded workers width height =
+      inBands workers width height (const (pure (Just (codesOf width height))))
     inBands workers width height bandOf = case pixelShape width height 3 of
       Nothing -> Lazy.empty <$ expectationFailure "not a picture"
       Just shape -> do
@@ -62,7 +71,10 @@ spec = do
         file <$ (complete `shouldBe` True)
     codesOf width height (from, rows) = do
       shape <- pixelShape width rows 3
-      Codes8 <$> fromPixelVector shape (Vector.slice (3 * width * from) (3 * width * rows) (picture width height))
+      Codes8
+        <$> fromPixelVector
+          shape
+          (Vector.slice (3 * width * from) (3 * width * rows) (picture width height))
     decodedPixels file = case decodePng (Lazy.toStrict file) of
       Right (ImageRGB8 (Image w h codes)) -> Just (w, h, codes)
       _ -> Nothing

@@ -21,7 +21,8 @@ spec = do
       forAll (inRange 0 1) $ \x -> closeTo 1e-7 x (decodeSrgb (encodeSrgb x))
   describe "quantisation" $ do
     it "rounds to the nearest code and survives everything" $
-      map quantise [0, 1, 0.5, 2, -1, 0 / 0, 1 / 0, 1 / 510 + 1e-9] `shouldBe` [0, 255, 128, 255, 0, 0, 255, 1]
+      map quantise [0, 1, 0.5, 2, -1, 0 / 0, 1 / 0, 1 / 510 + 1e-9]
+        `shouldBe` [0, 255, 128, 255, 0, 0, 255, 1]
     prop "is monotone" $
       forAll ((,) <$> inRange (-1) 2 <*> inRange (-1) 2) $ \(a, b) ->
         a <= b ==> quantise a <= quantise b
@@ -40,8 +41,14 @@ spec = do
       forAll arbitraryBoundedEnum $ \tone ->
         forAll (inRange (-3) 3) $ \stops ->
           forAll light $ \l ->
-            let Signal r g b = developSignal (developer (Development (Exposure stops) tone noGrain NoDither)) 0 0 l
-                Radiance r' g' b' = mapRadiance encodeSrgb (applyToneMap tone (expose (Exposure stops) l))
+            let Signal r g b =
+                  developSignal
+                    (developer (Development (Exposure stops) tone noGrain NoDither))
+                    0
+                    0
+                    l
+                Radiance r' g' b' =
+                  mapRadiance encodeSrgb (applyToneMap tone (expose (Exposure stops) l))
              in conjoin [closeTo 2e-5 e v | (e, v) <- [(r', r), (g', g), (b', b)]]
     it "survives any light" $
       sequence_
@@ -49,13 +56,23 @@ spec = do
           | tone <- [minBound ..],
             a <- strange,
             c <- strange,
-            let Signal r g b = developSignal (developer (Development (Exposure 0) tone noGrain NoDither)) 0 0 (Radiance a c 0.2)
+            let Signal r g b =
+                  developSignal
+                    (developer (Development (Exposure 0) tone noGrain NoDither))
+                    0
+                    0
+                    (Radiance a c 0.2)
         ]
     it "shows light without end as the brightest there is" $
       sequence_
         [ minimum [r, g, b] `shouldBeWithin` (1e-12, 1)
           | tone <- [minBound ..],
-            let Signal r g b = developSignal (developer (Development (Exposure 0) tone noGrain NoDither)) 0 0 (grey (1 / 0))
+            let Signal r g b =
+                  developSignal
+                    (developer (Development (Exposure 0) tone noGrain NoDither))
+                    0
+                    0
+                    (grey (1 / 0))
         ]
   where
     light = Radiance <$> inRange 0 5 <*> inRange 0 5 <*> inRange 0 5

@@ -17,7 +17,10 @@ spec = do
   prop "keeps the mean of any shade over a tile" $
     forAll (inRange 0 1) $ \s ->
       conjoin
-        [ closeTo (1 / 128 + 1e-9) (255 * s) (mean [fromIntegral (ditheredCode t s) | t <- tile channel])
+        [ closeTo
+            (1 / 128 + 1e-9)
+            (255 * s)
+            (mean [fromIntegral (ditheredCode t s) | t <- tile channel])
           | channel <- [0, 1, 2]
         ]
   it "has less than a hundredth of white noise's power in coarse patterns" $
@@ -36,7 +39,10 @@ spec = do
     tile channel = [ditherThreshold channel x y | y <- side, x <- side]
     power :: Double -> Double -> Double
     power kx ky =
-      let waves = [(t - 0.5, 2 * pi * (kx * fromIntegral x + ky * fromIntegral y) / 64) | (t, (y, x)) <- zip (tile 0) [(y, x) | y <- side, x <- side]]
+      let waves =
+            [ (t - 0.5, 2 * pi * (kx * fromIntegral x + ky * fromIntegral y) / 64)
+              | (t, (y, x)) <- zip (tile 0) [(y, x) | y <- side, x <- side]
+            ]
           along f = sum [t * f angle | (t, angle) <- waves] ** 2
        in (along cos + along sin) / 4096
     mean :: [Double] -> Double

@@ -31,26 +31,42 @@ spec = do
   prop "never darken when the light grows" $
     forAll arbitraryBoundedEnum $ \tone ->
       forAll light $ \l ->
-        luminance (applyToneMap tone (scaleRadiance 1.1 l)) >= luminance (applyToneMap tone l) - 1e-12
+        luminance (applyToneMap tone (scaleRadiance 1.1 l)) >= luminance (applyToneMap tone l)
+          - 1e-12
   it "radio goes from black through red and orange to white" $
-    map (applyToneMap ToneRadio . grey) [0, 0.25, 0.5, 1, 7] `shouldBe` map (mapRadiance decodeSrgb) [black, Radiance 0.5 0 0, Radiance 1 0.5 0, grey 1, grey 1]
+    map (applyToneMap ToneRadio . grey) [0, 0.25, 0.5, 1, 7]
+      `shouldBe` map
+        (mapRadiance decodeSrgb)
+        [ black,
+          Radiance 0.5 0 0,
+          Radiance 1 0.5 0,
+          grey 1,
+          grey 1
+        ]
   prop "keep grey grey" $
     forAll (elements inColour) $ \tone ->
       forAll (inRange 0 50) $ \v ->
-        let Radiance r g b = applyToneMap tone (grey v) in conjoin [closeTo 1e-12 r g, closeTo 1e-12 r b]
+        let Radiance r g b =
+              applyToneMap tone (grey v)
+         in conjoin [closeTo 1e-12 r g, closeTo 1e-12 r b]
   prop "curves keep the middle primary's place between the others' roots" $
     forAll (elements [ToneFilm, ToneReinhard, ToneAces, ToneAgx]) $ \tone ->
-      forAll ((,,) <$> inRange 0 0.3 <*> inRange 0.3 0.6 <*> inRange 0.6 8) $ \(low, between, high) ->
-        let Radiance r g b = applyToneMap tone (Radiance high between low)
-         in closeTo 1e-9 (place high between low) (place r g b)
+      forAll ((,,) <$> inRange 0 0.3 <*> inRange 0.3 0.6 <*> inRange 0.6 8) $
+        \(low, between, high) ->
+          let Radiance r g b = applyToneMap tone (Radiance high between low)
+           in closeTo 1e-9 (place high between low) (place r g b)
   it "film keeps the ratio of the primaries up to half of white, and gives it up near white" $ do
     let ratio (Radiance r _ b) = b / r
-        shown stops = ratio (applyToneMap ToneFilm (scaleRadiance (2 ** stops) (Radiance 1 0.6 0.25)))
+        shown stops =
+          ratio (applyToneMap ToneFilm (scaleRadiance (2 ** stops) (Radiance 1 0.6 0.25)))
     mapM_ (\stops -> shown stops `shouldSatisfy` (\q -> q > 0.25 && q < 0.3)) [-6, -4, -2, -0.5]
     shown 2 `shouldSatisfy` (> 0.5)
     shown 4 `shouldSatisfy` (> 0.95)
   it "film lets bright light without any blue pale towards white, and dim light not" $ do
-    let blue stops = let Radiance _ _ b = applyToneMap ToneFilm (scaleRadiance (2 ** stops) (Radiance 1 0.3 0)) in b
+    let blue stops =
+          let Radiance _ _ b =
+                applyToneMap ToneFilm (scaleRadiance (2 ** stops) (Radiance 1 0.3 0))
+           in b
     blue (-2) `shouldSatisfy` (< 1e-6)
     blue 3 `shouldSatisfy` (> 0.02)
   it "turn the hue of glowing gas by little" $
@@ -69,7 +85,8 @@ spec = do
     light = Radiance <$> inRange 0 5 <*> inRange 0 5 <*> inRange 0 5
     middle tone v = let Radiance _ g _ = applyToneMap tone (grey v) in g
     place high between low = (sqrt between - sqrt low) / (sqrt high - sqrt low)
-    degreesBetween a b = let d = (b - a) * 180 / pi in d - 360 * fromIntegral (round (d / 360) :: Int)
+    degreesBetween a b =
+      let d = (b - a) * 180 / pi in d - 360 * fromIntegral (round (d / 360) :: Int)
     hue l = let (a, b) = okLab l in atan2 b a
     rootMeanSquare turns = sqrt (sum (map (** 2) turns) / fromIntegral (length turns))
     turnsBy shownAs =

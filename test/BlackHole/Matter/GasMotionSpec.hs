@@ -68,7 +68,9 @@ spec = do
     forAll ((,,) <$> outside <*> choose (-2, 2) <*> choose (-1, 1)) $ \((r, y), radial, turning) ->
       let momentum = Momentum (radial / (1 - 1 / r)) (turning * r)
        in fmap (`frequencyIn` momentum) (gasVelocity r y)
-            `shouldSatisfy` maybe False (\nu -> abs (nu - motionFrequency r y momentum) < 1e-13 * (1 + abs nu) / (1 - 1 / r))
+            `shouldSatisfy` maybe
+              False
+              (\nu -> abs (nu - motionFrequency r y momentum) < 1e-13 * (1 + abs nu) / (1 - 1 / r))
   where
     matches limit (FourVelocity a b c) =
       maybe False $ \(FourVelocity a' b' c') ->

@@ -38,7 +38,9 @@ spec = do
     prop "is 1 between observers at rest at one place" $
       forAll somewhere $ \(position, direction) ->
         let r = norm position
-         in (redshiftGravitational <$> (staticFrequency r >>= \observed -> gasRedshift observed position direction))
+         in ( redshiftGravitational
+                <$> (staticFrequency r >>= \observed -> gasRedshift observed position direction)
+            )
               `shouldSatisfy` maybe False (near 1e-14 1)
     prop "is continuous across the innermost stable orbit" $
       forAll somewhere $ \(place, direction) ->
@@ -50,7 +52,9 @@ spec = do
     prop "have the product g" $
       forAll somewhere $ \(position, direction) ->
         gasRedshift 1.25 position direction
-          `shouldSatisfy` maybe False (\(Redshift g gravity doppler) -> near 1e-14 g (gravity * doppler))
+          `shouldSatisfy` maybe
+            False
+            (\(Redshift g gravity doppler) -> near 1e-14 g (gravity * doppler))
     prop "is the Doppler formula of special relativity beside the gas" $
       forAll somewhere $ \(position, direction) ->
         fmap redshiftDoppler (gasRedshift 1 position direction)
@@ -152,13 +156,15 @@ flow = gasFlow Schwarzschild
 -- | The momentum at a radius of light within the plane that moves outwards (1) or inwards
 -- (−1), of which λ is then the impact parameter.
 planeMomentum :: Double -> Double -> Double -> Momentum
-planeMomentum sense lambda r = Momentum (sense * sqrt (max 0 (1 - (1 - 1 / r) * lambda * lambda / (r * r))) / (1 - 1 / r)) lambda
+planeMomentum sense lambda r =
+  Momentum (sense * sqrt (max 0 (1 - (1 - 1 / r) * lambda * lambda / (r * r))) / (1 - 1 / r)) lambda
 
 -- | The shift of light that leaves the gas at a position in this direction, for an
 -- observer's frequency.
 gasRedshift :: Double -> XYZ -> XYZ -> Maybe Redshift
 gasRedshift observed position@(XYZ _ y _) direction =
-  redshift observed . gasFrequencies flow (norm position) y <$> momentumOf (Photon position direction)
+  redshift observed . gasFrequencies flow (norm position) y
+    <$> momentumOf (Photon position direction)
 
 -- | A place outside the horizon, off the axis, and a direction.
 somewhere :: Gen (XYZ, XYZ)
@@ -238,7 +244,10 @@ referenceRays =
 traced :: Ray -> (Double, Maybe Double)
 traced (Ray distance inclination psi eta number _ _) =
   ( 1 / u,
-    (\observed -> observed / frequencyInGas (gasFrequencies flow (1 / u) 0 (Momentum (sense * radial) lambda))) <$> staticFrequency distance
+    ( \observed ->
+        observed / frequencyInGas (gasFrequencies flow (1 / u) 0 (Momentum (sense * radial) lambda))
+    )
+      <$> staticFrequency distance
   )
   where
     radians degrees = degrees * pi / 180

@@ -81,15 +81,20 @@ spec = do
       sequence_
         [ do
             thinDiskFlux spinning r `shouldBeWithin` (1e-11 * read known, read known)
-            (thinDiskFlux spinning r / snd (thinDiskPeak spinning)) `shouldBeWithin` (1e-11 * read relative, read relative)
-            if kind == "peak" then fst (thinDiskPeak spinning) `shouldBeWithin` (1e-13 * r, r) else pure ()
+            (thinDiskFlux spinning r / snd (thinDiskPeak spinning))
+              `shouldBeWithin` (1e-11 * read relative, read relative)
+            if kind == "peak"
+              then fst (thinDiskPeak spinning) `shouldBeWithin` (1e-13 * r, r)
+              else pure ()
           | [s, _, kind, radius, known, relative] <- rows,
             let spinning = thinDisk (spinOf (read s))
                 r = read radius
         ]
     it "goes over into that without spin for slow holes" $
       sequence_
-        [thinDiskFlux (thinDisk (spinOf s)) 6 `shouldBeWithin` (1e-3 * abs s, flux 6) | s <- [1e-3, -1e-6, 1e-9, -1e-12]]
+        [ thinDiskFlux (thinDisk (spinOf s)) 6 `shouldBeWithin` (1e-3 * abs s, flux 6)
+          | s <- [1e-3, -1e-6, 1e-9, -1e-12]
+        ]
     it "does not shine at and inside the innermost stable orbit, nor at infinity" $
       sequence_
         [ thinDiskFlux (thinDisk (spinOf s)) r `shouldBe` 0
@@ -97,12 +102,16 @@ spec = do
             r <- [0, 0.5, iscoRadius RightHanded (spinOf s), 1 / 0, 0 / 0]
         ]
     it "falls off as 1/(8r³)" $
-      sequence_ [(thinDiskFlux (thinDisk (spinOf s)) 1e12 * 8e36) `shouldBeWithin` (1e-5, 1) | s <- [-0.9, 0, 0.998]]
+      sequence_
+        [ (thinDiskFlux (thinDisk (spinOf s)) 1e12 * 8e36) `shouldBeWithin` (1e-5, 1)
+          | s <- [-0.9, 0, 0.998]
+        ]
     it "is hottest at the peak" $ do
       let spinning = thinDisk (spinOf 0.9)
           peak = fst (thinDiskPeak spinning)
       relativeTemperature spinning peak `shouldBeWithin` (1e-15, 1)
-      map (relativeTemperature spinning) [0.9 * peak, 1.1 * peak, 0.7 * peak] `shouldSatisfy` all (< 1)
+      map (relativeTemperature spinning) [0.9 * peak, 1.1 * peak, 0.7 * peak]
+        `shouldSatisfy` all (< 1)
   where
     disk = thinDisk noSpin
     flux = thinDiskFlux disk

@@ -8,7 +8,19 @@ import Data.Foldable (for_)
 import Data.Word (Word64)
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
-import Test.QuickCheck (Arbitrary (..), Property, choose, counterexample, forAll, oneof, property, vectorOf, (.&&.), (===), (==>))
+import Test.QuickCheck
+  ( Arbitrary (..),
+    Property,
+    choose,
+    counterexample,
+    forAll,
+    oneof,
+    property,
+    vectorOf,
+    (.&&.),
+    (===),
+    (==>),
+  )
 
 spec :: Spec
 spec = do
@@ -46,11 +58,15 @@ spec = do
       cellAt3 minBound (XYZ 0 (2 ^ (30 :: Int)) (-2147483648))
         `shouldBe` Just (Cell3 (latticePoint3 minBound 0 0 0) 0.5 0.75 0)
 
-    prop "agrees with exact arithmetic" $ \(AnyLevel l) (Coordinate x) (Coordinate y) (Coordinate z) ->
-      agrees3 l (XYZ x y z)
+    prop
+      "agrees with exact arithmetic"
+      $ \(AnyLevel l) (Coordinate x) (Coordinate y) (Coordinate z) ->
+        agrees3 l (XYZ x y z)
 
-    prop "agrees with exact arithmetic in the plane" $ \(AnyLevel l) (Coordinate x) (Coordinate y) ->
-      agrees2 l (XY x y)
+    prop
+      "agrees with exact arithmetic in the plane"
+      $ \(AnyLevel l) (Coordinate x) (Coordinate y) ->
+        agrees2 l (XY x y)
 
     it "keeps the fraction at the deepest level" $
       -- 2^-32 (5 + 2^-45): a cast to fixed point would lose the fraction.
@@ -74,8 +90,9 @@ spec = do
           _ -> property False
 
     prop "is the same after a turn around the torus" $ \(AnyLevel l) ->
-      forAll (vectorOf 3 ((/ 1024) . fromIntegral <$> choose (-2199023255552, 2199023255551 :: Int))) $
-        \place -> forAll (vectorOf 3 (choose (-3, 3 :: Int))) $ \turns ->
+      forAll
+        (vectorOf 3 ((/ 1024) . fromIntegral <$> choose (-2199023255552, 2199023255551 :: Int)))
+        $ \place -> forAll (vectorOf 3 (choose (-3, 3 :: Int))) $ \turns ->
           case (place, zipWith (\x n -> x + fromIntegral n * circumference) place turns) of
             ([x, y, z], [x', y', z']) ->
               cellAt3 l (XYZ x y z) === cellAt3 l (XYZ x' y' z')
@@ -115,7 +132,8 @@ agrees3 l v@(XYZ x y z) = case cellAt3 l v of
 agrees :: Level -> Double -> Word64 -> Double -> Property
 agrees l x index fraction =
   counterexample (show (levelNumber l, x, index, fraction)) $
-    fraction >= 0 && fraction <= 1 && toInteger index < 2 ^ levelNumber l && min gap (size - gap) <= 2 ^^ (-53 :: Int)
+    fraction >= 0 && fraction <= 1 && toInteger index < 2 ^ levelNumber l
+      && min gap (size - gap) <= 2 ^^ (-53 :: Int)
   where
     size = 2 ^ levelNumber l :: Rational
     exact = (toRational x + 2 ^ (31 :: Int)) * 2 ^^ (levelNumber l - 32)

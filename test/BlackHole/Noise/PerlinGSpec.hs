@@ -59,7 +59,8 @@ gradients = do
 latticeHashes :: Spec
 latticeHashes = do
   prop "are those of the points on a line, around the torus" $ \s (AnyLevel l) x y z z' ->
-    lineHash3 (latticeLine3 (Seed s) (latticePoint3 l x y z)) z' === latticeHash3 (Seed s) (latticePoint3 l x y z')
+    lineHash3 (latticeLine3 (Seed s) (latticePoint3 l x y z)) z'
+      === latticeHash3 (Seed s) (latticePoint3 l x y z')
   it "differ by seed, level, dimension, coordinate and order of coordinates" $ do
     let values =
           [ latticeHash3 (Seed s) (latticePoint3 (clampedLevel l) x y z)
@@ -82,7 +83,14 @@ oneLevel = do
   it "cannot leave -1 ... 1 whatever the hashes, and the bound is tight" $ do
     let grid = [i / 10 | i <- [0 .. 10]]
         top2 = maximum (map worst2 ([(x, y) | x <- grid, y <- grid] <> [(0.47337784, 0.5)]))
-        top3 = maximum (map worst3 ([(x, y, z) | x <- grid, y <- take 6 grid, z <- take 6 grid] <> [(0.57448389, 0.5, 0.45735096)]))
+        top3 =
+          maximum
+            ( map
+                worst3
+                ( [(x, y, z) | x <- grid, y <- take 6 grid, z <- take 6 grid]
+                    <> [(0.57448389, 0.5, 0.45735096)]
+                )
+            )
     top2 `shouldSatisfy` \t -> t > 0.99998 && t < 1
     top3 `shouldSatisfy` \t -> t > 0.99992 && t < 1
 
@@ -119,7 +127,8 @@ oneLevel = do
 
   it "has no shorter period" $ do
     let around3 t = noise3 (Seed 8) (clampedLevel 3) (XYZ (t * circumference) 1.0e8 3.0e8)
-        differences turns = sum [abs (around3 (t / 64 + turns) - around3 (t / 64)) | t <- [0 .. 63]] / 64
+        differences turns =
+          sum [abs (around3 (t / 64 + turns) - around3 (t / 64)) | t <- [0 .. 63]] / 64
     for_ [1 / 8, 1 / 4, 1 / 2] $ \turns -> differences turns `shouldSatisfy` (> 0.05)
 
 statistics :: Spec
@@ -162,10 +171,13 @@ statistics = do
         sample2 s n = map (noise2 (Seed s) (clampedLevel n)) (places2 4000)
         base2 = sample2 1 32
     -- The standard error is 1 / sqrt 4000 = 0.016.
-    for_ [sample3 2 32, sample3 (1 + 2 ^ (63 :: Int)) 32, sample3 1 33, sample3 1 31, sample3 1 36] $ \other ->
-      correlation base3 other `shouldSatisfy` within 0.08 0
-    for_ [sample2 2 32, sample2 1 33, map (noise2 (Seed 1) unitLevel . swap) (places2 4000)] $ \other ->
-      correlation base2 other `shouldSatisfy` within 0.08 0
+    for_
+      [sample3 2 32, sample3 (1 + 2 ^ (63 :: Int)) 32, sample3 1 33, sample3 1 31, sample3 1 36]
+      $ \other ->
+        correlation base3 other `shouldSatisfy` within 0.08 0
+    for_ [sample2 2 32, sample2 1 33, map (noise2 (Seed 1) unitLevel . swap) (places2 4000)] $
+      \other ->
+        correlation base2 other `shouldSatisfy` within 0.08 0
     correlation base3 base3 `shouldSatisfy` within 1.0e-12 1
   where
     swap (XY x y) = XY y x
@@ -229,7 +241,8 @@ profiles = do
     let s = Seed seed
         total one = List.foldl' (\acc (l, a) -> acc + a * one l) 0 (layers someProfile)
     perlin3 s someProfile v `shouldSatisfy` within 1.0e-14 (total (\l -> noise3 s l v))
-    perlin2 s someProfile (XY x y) `shouldSatisfy` within 1.0e-14 (total (\l -> noise2 s l (XY x y)))
+    perlin2 s someProfile (XY x y)
+      `shouldSatisfy` within 1.0e-14 (total (\l -> noise2 s l (XY x y)))
 
   prop "are linear" $ \seed (Place v) ->
     let s = Seed seed
@@ -251,7 +264,9 @@ cached = do
     let s = Seed seed
     fmap (\c -> interpolate3 c (cornerHashes3 (latticeHash3 s) c)) (cellAround3 l <$> onGrid3 v)
       `shouldBe` Just (noise3 s l v)
-    fmap (\c -> interpolate2 c (cornerHashes2 (latticeHash2 s) c)) (cellAround2 l <$> onGrid2 (XY x y))
+    fmap
+      (\c -> interpolate2 c (cornerHashes2 (latticeHash2 s) c))
+      (cellAround2 l <$> onGrid2 (XY x y))
       `shouldBe` Just (noise2 s l (XY x y))
 
 -- | Values of an independent implementation in exact rational arithmetic. If
@@ -289,7 +304,12 @@ golden = do
 
 someProfile :: Profile
 someProfile =
-  profile [(clampedLevel 30, 0.5), (clampedLevel 32, 1), (clampedLevel 33, 0.25), (clampedLevel 40, -0.125)]
+  profile
+    [ (clampedLevel 30, 0.5),
+      (clampedLevel 32, 1),
+      (clampedLevel 33, 0.25),
+      (clampedLevel 40, -0.125)
+    ]
 
 -- | A hash for every gradient of the plane.
 hashes2 :: [Word64]
@@ -390,7 +410,8 @@ variance xs = mean [(x - m) * (x - m) | x <- xs]
     m = mean xs
 
 correlation :: [Double] -> [Double] -> Double
-correlation xs ys = mean (zipWith (\x y -> (x - mx) * (y - my)) xs ys) / sqrt (variance xs * variance ys)
+correlation xs ys =
+  mean (zipWith (\x y -> (x - mx) * (y - my)) xs ys) / sqrt (variance xs * variance ys)
   where
     mx = mean xs
     my = mean ys

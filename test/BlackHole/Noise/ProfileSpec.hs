@@ -48,4 +48,9 @@ newtype Pairs = Pairs [(Level, Double)]
 
 instance Arbitrary Pairs where
   -- Multiples of 1/8, so that sums do not depend on their order.
-  arbitrary = Pairs <$> listOf ((,) . clampedLevel <$> choose (0, 64) <*> ((/ 8) . fromIntegral <$> choose (-80, 80 :: Int)))
+  arbitrary =
+    Pairs
+      <$> listOf
+        ( (,) . clampedLevel
+            <$> choose (0, 64) <*> ((/ 8) . fromIntegral <$> choose (-80, 80 :: Int))
+        )

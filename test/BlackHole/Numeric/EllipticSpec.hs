@@ -69,12 +69,14 @@ spec = do
     prop "is hyperbolic for m = 1" $
       forAll (choose (-40, 40)) $ \x ->
         let Jacobi sn cn dn = jacobi (modulus 0) x
-         in within 1e-15 (tanh x) sn .&&. closeTo 1e-13 (1 / cosh x) cn .&&. closeTo 1e-13 (1 / cosh x) dn
+         in within 1e-15 (tanh x) sn .&&. closeTo 1e-13 (1 / cosh x) cn
+              .&&. closeTo 1e-13 (1 / cosh x) dn
 
     prop "passes to the hyperbolic limit as m → 1" $
       forAll (choose (-5, 5)) $ \x ->
         let Jacobi sn cn dn = jacobi (modulus 1e-20) x
-         in within 1e-14 (tanh x) sn .&&. closeTo 1e-13 (1 / cosh x) cn .&&. closeTo 1e-13 (1 / cosh x) dn
+         in within 1e-14 (tanh x) sn .&&. closeTo 1e-13 (1 / cosh x) cn
+              .&&. closeTo 1e-13 (1 / cosh x) dn
 
     prop "keeps the relative accuracy of sn near 0" $ \(Complement m1) ->
       forAll ((10 **) <$> choose (-200, -9)) $ \x ->
@@ -175,7 +177,8 @@ spec = do
       forAll ((10 **) <$> choose (-20, 3)) $ \x ->
         forAll ((10 **) <$> choose (-3, 3)) $ \y ->
           let r = carlsonRF x y 1
-           in closeTo 1e-14 r (carlsonRF 1 x y) .&&. closeTo 1e-14 (r / 3) (carlsonRF (9 * x) (9 * y) 9)
+           in closeTo 1e-14 r (carlsonRF 1 x y)
+                .&&. closeTo 1e-14 (r / 3) (carlsonRF (9 * x) (9 * y) 9)
   where
     isNear limit expected actual = abs (actual / expected - 1) <= limit
 

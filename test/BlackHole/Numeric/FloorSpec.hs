@@ -41,4 +41,5 @@ spec = do
   where
     isWhole x = x == fromInteger (round x)
     -- Down to a last place of a quarter.
-    number = (\sign e m -> sign * m * 2 ** e) <$> elements [-1, 1] <*> inRange (-20) 50 <*> inRange 0.5 1
+    number =
+      (\sign e m -> sign * m * 2 ** e) <$> elements [-1, 1] <*> inRange (-20) 50 <*> inRange 0.5 1

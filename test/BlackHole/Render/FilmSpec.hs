@@ -3,6 +3,7 @@ module BlackHole.Render.FilmSpec (spec) where
 import BlackHole.Light.Display
 import BlackHole.Light.Dither (Dither (..))
 import BlackHole.Numeric.Angle (Degrees (..))
+import BlackHole.Render.Exposed
 import BlackHole.Render.Film
 import BlackHole.Render.PixelArray (toPixelVector)
 import BlackHole.Render.Workers
@@ -45,14 +46,19 @@ spec = do
       case (exposed, tracer searching) of
         (Just whole, Just traced) -> do
           let counts = Vector.concat (map (countsRow searching whole) [0 .. 26])
-          Vector.toList counts `shouldBe` [fromIntegral (estimateCount (pixelEstimate traced column row)) | row <- [0 .. 26], column <- [0 .. 47]]
+          Vector.toList counts
+            `shouldBe` [ fromIntegral (estimateCount (pixelEstimate traced column row))
+                         | row <- [0 .. 26],
+                           column <- [0 .. 47]
+                       ]
           (Vector.minimum counts, Vector.maximum counts) `shouldBe` (4, 64)
           countsRow searching whole 27 `shouldBe` Vector.replicate 48 0
         _ -> expectationFailure "no film"
     it "has the same light in a band as in a whole of many" $ do
       whole <- exposeWhole oneWorker tall
       band <- exposeBand oneWorker tall (200, 100)
-      fmap toPixelVector band `shouldBe` fmap (Vector.slice (3 * 8 * 200) (3 * 8 * 100) . toPixelVector) whole
+      fmap toPixelVector band
+        `shouldBe` fmap (Vector.slice (3 * 8 * 200) (3 * 8 * 100) . toPixelVector) whole
     it "comes closer to a picture of 256 samples than as many samples spread evenly" $ do
       -- Both take the same time here (measured).
       reference <- exposeWhole oneWorker even' {sceneSamples = 256}
@@ -70,16 +76,30 @@ small = defaultScene {scenePicture = Picture 48 27, sceneSamples = 1}
 
 -- | The ring of light, where all is decided.
 even', searching :: Scene
-even' = defaultScene {scenePicture = Picture 48 27, sceneNoise = 0, sceneSky = SkyNone, sceneCamera = (sceneCamera defaultScene) {cameraFieldOfView = Degrees 16}}
+even' =
+  defaultScene
+    { scenePicture = Picture 48 27,
+      sceneNoise = 0,
+      sceneSky = SkyNone,
+      sceneCamera = (sceneCamera defaultScene) {cameraFieldOfView = Degrees 16}
+    }
 searching = even' {sceneSamples = 4, sceneNoise = 0.02, sceneMostSamples = 64}
 
 -- | A strip through the middle.
 tall :: Scene
-tall = searching {scenePicture = Picture 8 530, sceneCamera = (sceneCamera defaultScene) {cameraFieldOfView = Degrees 0.4}}
+tall =
+  searching
+    { scenePicture = Picture 8 530,
+      sceneCamera = (sceneCamera defaultScene) {cameraFieldOfView = Degrees 0.4}
+    }
 
 -- | Of what a display shows.
 rmse :: Film -> Film -> Double
-rmse a b = sqrt (Vector.sum (Vector.zipWith difference (toPixelVector a) (toPixelVector b)) / fromIntegral (Vector.length (toPixelVector a)))
+rmse a b =
+  sqrt
+    ( Vector.sum (Vector.zipWith difference (toPixelVector a) (toPixelVector b))
+        / fromIntegral (Vector.length (toPixelVector a))
+    )
   where
     difference x y = realToFrac ((shown x - shown y) ^ (2 :: Int))
     shown v = sqrt (min 1 v)
@@ -89,4 +109,8 @@ developed n = case workersFromCount n of
   Nothing -> pure Nothing
   Just workers -> withWorkers workers $ do
     film <- exposeWhole workers small
-    traverse (fmap toPixelVector . developFilm workers (Development (Exposure 0) ToneFilm noGrain BlueNoise)) film
+    traverse
+      ( fmap toPixelVector
+          . developFilm workers (Development (Exposure 0) ToneFilm noGrain BlueNoise)
+      )
+      film

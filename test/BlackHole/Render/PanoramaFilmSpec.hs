@@ -3,6 +3,7 @@ module BlackHole.Render.PanoramaFilmSpec (spec) where
 
 import BlackHole.Light.Radiance
 import BlackHole.Numeric.Angle (Degrees (..))
+import BlackHole.Render.Exposed
 import BlackHole.Render.Film
 import BlackHole.Render.PixelArray (toPixelVector)
 import BlackHole.Render.Workers
@@ -21,13 +22,15 @@ import Test.Hspec
 
 spec :: Spec
 spec = do
-  it "one of a single colour is a uniform sky, for every observer and integrator, outside and inside" $
-    sequence_
+  it
+    "one of a single colour is a uniform sky, for every observer and integrator, outside and inside"
+    $ sequence_
       [ do
           flat <- exposed Nothing scene {sceneSky = SkyUniform 0.4}
           pictured <- exposed (plain 0.4) scene {sceneSky = sky}
           Vector.length (Vector.filter (> 0) flat) `shouldSatisfy` (> 500)
-          Vector.maximum (Vector.zipWith (\a b -> abs (a - b) / max 1e-3 a) flat pictured) `shouldSatisfy` (< 2e-6)
+          Vector.maximum (Vector.zipWith (\a b -> abs (a - b) / max 1e-3 a) flat pictured)
+            `shouldSatisfy` (< 2e-6)
         | scene <-
             [from 8 who | who <- [Static, Orbiting, Falling, Coordinate]]
               ++ [outwards 1.2, outwards 0.6]
@@ -43,12 +46,29 @@ spec = do
           Vector.length lit `shouldSatisfy` (> 500)
           abs (mean lit / level - 1) `shouldSatisfy` (< 0.01)
           deviation lit / level `shouldSatisfy` (< 0.06)
-        | (scene, level) <- [((from 8 Coordinate) {sceneSky = sky, sceneSpacetime = Flat}, 0.5), (unshifted (from 8 Static), 0.5), (unshifted (outwards 0.7), 0.5)]
+        | (scene, level) <-
+            [ ((from 8 Coordinate) {sceneSky = sky, sceneSpacetime = Flat}, 0.5),
+              (unshifted (from 8 Static), 0.5),
+              (unshifted (outwards 0.7), 0.5)
+            ]
       ]
   it "sends the same light whatever its turn, and turns as a whole" $ do
     -- A picture of four equal quarters, turned by one, is the same picture.
-    let quarters = environmentMapFromPixels 512 256 (\i j -> grey (2 + cos (pi * fromIntegral i / 64) + sin (0.1 * fromIntegral j)))
-    [a, b] <- mapM (\turn -> exposed quarters (from 8 Static) {sceneSky = SkyPanorama (panoramaOf "x") {panoramaRotation = Degrees turn}}) [10, 100]
+    let quarters =
+          environmentMapFromPixels
+            512
+            256
+            (\i j -> grey (2 + cos (pi * fromIntegral i / 64) + sin (0.1 * fromIntegral j)))
+    [a, b] <-
+      mapM
+        ( \turn ->
+            exposed
+              quarters
+              (from 8 Static)
+                { sceneSky = SkyPanorama (panoramaOf "x") {panoramaRotation = Degrees turn}
+                }
+        )
+        [10, 100]
     deviation a `shouldSatisfy` (> 0.3)
     -- But for the fields, of which no ring has quarters.
     mean (Vector.zipWith (\x y -> abs (x - y)) a b) `shouldSatisfy` (< 2e-3)
@@ -64,7 +84,11 @@ spec = do
     from r who =
       defaultScene
         { scenePicture = Picture 40 30,
-          sceneCamera = (sceneCamera defaultScene) {cameraPose = Around r (Degrees 77) (Degrees 30), cameraFieldOfView = Degrees 60},
+          sceneCamera =
+            (sceneCamera defaultScene)
+              { cameraPose = Around r (Degrees 77) (Degrees 30),
+                cameraFieldOfView = Degrees 60
+              },
           sceneObserver = who,
           sceneDisk = Nothing,
           sceneSamples = 1,
@@ -75,9 +99,17 @@ spec = do
     outwards r =
       let scene = from r Falling
           XYZ x y z = posePosition (cameraPose (sceneCamera scene))
-       in scene {sceneCamera = (sceneCamera scene) {cameraPose = LookAt (XYZ x y z) (XYZ (5 * x) (3 * y) (5 * z))}}
+       in scene
+            { sceneCamera =
+                (sceneCamera scene) {cameraPose = LookAt (XYZ x y z) (XYZ (5 * x) (3 * y) (5 * z))}
+            }
     unshifted scene = scene {sceneSky = sky, sceneShifts = Shifts False False}
-    exposed picture scene = maybe Vector.empty (channel . toPixelVector . exposedLight) <$> exposeFilm picture oneWorker (const (pure ())) scene (allRows (scenePicture scene))
-    channel light = Vector.generate (Vector.length light `quot` 3) (\i -> realToFrac (light Vector.! (3 * i)) :: Double)
+    exposed picture scene =
+      maybe Vector.empty (channel . toPixelVector . exposedLight)
+        <$> exposeFilm picture oneWorker (const (pure ())) scene (allRows (scenePicture scene))
+    channel light =
+      Vector.generate
+        (Vector.length light `quot` 3)
+        (\i -> realToFrac (light Vector.! (3 * i)) :: Double)
     mean values = Vector.sum values / fromIntegral (max 1 (Vector.length values))
     deviation values = sqrt (mean (Vector.map (\v -> (v - mean values) ^ (2 :: Int)) values))

@@ -32,7 +32,8 @@ spec = do
   describe "generateRows" $ do
     it "gives equal bytes for any number of workers" $ do
       let shape = shaped 31 40 3
-      pictures <- traverse (\workers -> bits <$> generateRows workers silent shape unevenRow) workerCounts
+      pictures <-
+        traverse (\workers -> bits <$> generateRows workers silent shape unevenRow) workerCounts
       map (== uneven shape) pictures `shouldBe` map (const True) workerCounts
 
     prop "runs every row once, on zeros" . forAll ((,) <$> smallShape <*> elements workerCounts) $
@@ -112,26 +113,30 @@ spec = do
   describe "interruption" $ do
     it "by a time limit stops all workers" . stopsAllRows $ \beats ->
       for_ workerCounts $ \workers -> do
-        interrupted <- timeout 50000 $ generateRows workers silent (shaped 1 100 1) (endless beats (const False))
+        interrupted <-
+          timeout 50000 $ generateRows workers silent (shaped 1 100 1) (endless beats (const False))
         isNothing interrupted `shouldBe` True
 
     it "reaches pure code" . inTime $ do
       interrupted <- timeout 50000 $ generateRows (workersOf 2) silent (shaped 1 100 1) endlessSum
       isNothing interrupted `shouldBe` True
 
-    it "by another thread stops all workers before that thread goes on" . stopsAllRows $ \beats -> do
-      ended <- newEmptyMVar
-      caller <-
-        forkIO $
-          void (generateRows (workersOf 2) silent (shaped 1 100 1) (endless beats (const False)))
-            `catch` (putMVar ended :: AsyncException -> IO ())
-      threadDelay 20000
-      killThread caller
-      takeMVar ended `shouldReturn` ThreadKilled
+    it "by another thread stops all workers before that thread goes on" . stopsAllRows $ \beats ->
+      do
+        ended <- newEmptyMVar
+        caller <-
+          forkIO $
+            void (generateRows (workersOf 2) silent (shaped 1 100 1) (endless beats (const False)))
+              `catch` (putMVar ended :: AsyncException -> IO ())
+        threadDelay 20000
+        killThread caller
+        takeMVar ended `shouldReturn` ThreadKilled
 
   describe "vectors" $ do
     prop "go round and keep their memory" . forAll smallShape $ \shape -> ioProperty $ do
-      let pixels = Vector.drop 2 (Vector.generate (2 + shapeLength shape) fromIntegral) :: Vector.Vector Float
+      let pixels =
+            Vector.drop 2 (Vector.generate (2 + shapeLength shape) fromIntegral) ::
+              Vector.Vector Float
           back = toPixelVector <$> fromPixelVector shape pixels
       back `shouldBe` Just pixels
       for_ back $ \same ->

@@ -2,7 +2,7 @@ module BlackHole.Render.RingFilmSpec (spec) where
 
 import BlackHole.Light.Radiance
 import BlackHole.Numeric.Angle
-import BlackHole.Render.Film
+import BlackHole.Render.Exposed
 import BlackHole.Render.Workers
 import BlackHole.Scene.Camera
 import BlackHole.Scene.Disk
@@ -32,7 +32,11 @@ spec = do
       (mean few / mean many) `shouldSatisfy` (\q -> abs (q - 1) < 0.05)
   it "has a photon ring that does not crawl while the camera moves" $ do
     frames <- mapM (ring . above) [30, 30.1, 30.2]
-    let changes = [(b - a) / mean (concat frames) | (f, f') <- zip frames (drop 1 frames), (a, b) <- zip f f']
+    let changes =
+          [ (b - a) / mean (concat frames)
+            | (f, f') <- zip frames (drop 1 frames),
+              (a, b) <- zip f f'
+          ]
     -- Root mean square; it was 0.37.
     sqrt (mean (map (^ (2 :: Int)) changes)) `shouldSatisfy` (< 0.1)
 
@@ -49,7 +53,11 @@ above :: Double -> Scene
 above distance =
   defaultScene
     { scenePicture = Picture 100 100,
-      sceneCamera = Camera (Around distance (Degrees 0) (Degrees 90)) (Degrees 0) (Degrees (2 * atan (50 / 512) * 180 / pi)),
+      sceneCamera =
+        Camera
+          (Around distance (Degrees 0) (Degrees 90))
+          (Degrees 0)
+          (Degrees (2 * atan (50 / 512) * 180 / pi)),
       sceneSky = SkyNone,
       sceneDisk =
         Just
@@ -83,9 +91,14 @@ ring scene = do
             j = floor (y - 0.5) :: Int
             u = x - 0.5 - fromIntegral i
             v = y - 0.5 - fromIntegral j
-         in (1 - v) * ((1 - u) * at i j + u * at (i + 1) j) + v * ((1 - u) * at i (j + 1) + u * at (i + 1) (j + 1))
+         in (1 - v) * ((1 - u) * at i j + u * at (i + 1) j)
+              + v * ((1 - u) * at i (j + 1) + u * at (i + 1) (j + 1))
   pure
-    [ 0.25 * sum [between (50 + (edge + 0.25 * d) * cos angle) (50 + (edge + 0.25 * d) * sin angle) | d <- [-6 .. 6]]
+    [ 0.25
+        * sum
+          [ between (50 + (edge + 0.25 * d) * cos angle) (50 + (edge + 0.25 * d) * sin angle)
+            | d <- [-6 .. 6]
+          ]
       | k <- [0 .. 719 :: Int],
         let angle = 2 * pi * fromIntegral k / 720
     ]

@@ -4,7 +4,7 @@ module BlackHole.Render.StarFilmSpec (spec) where
 import BlackHole.Light.Radiance
 import BlackHole.Noise.PerlinG (Seed)
 import BlackHole.Numeric.Angle (Degrees (..))
-import BlackHole.Render.Film
+import BlackHole.Render.Exposed
 import BlackHole.Render.Workers
 import BlackHole.Scene.Camera (Camera (..), Picture (..), Pose (..))
 import BlackHole.Scene.Preset
@@ -43,7 +43,13 @@ spec = do
       ]
   it "leave no glow on the Einstein ring where there is none" $ do
     film <- exposed 20000 (Degrees 5)
-    let onRing = [luminance light | x <- [0 .. width - 1], y <- [0 .. height - 1], abs (radiusOf x y - einstein) < 0.012, Just light <- [film >>= \f -> filmRadiance f x y]]
+    let onRing =
+          [ luminance light
+            | x <- [0 .. width - 1],
+              y <- [0 .. height - 1],
+              abs (radiusOf x y - einstein) < 0.012,
+              Just light <- [film >>= \f -> filmRadiance f x y]
+          ]
     length onRing `shouldSatisfy` (> 500)
     -- Most of the sky has no star within two and a half pixels.
     length (filter (== 0) onRing) `shouldSatisfy` (> length onRing `quot` 2)
@@ -56,7 +62,16 @@ spec = do
         { sceneDisk = Nothing,
           scenePicture = Picture width height,
           sceneObserver = Static,
-          sceneCamera = (sceneCamera defaultScene) {cameraPose = Around distance (Degrees inclination) (Degrees (azimuth + beta / sin (inclination * pi / 180))), cameraFieldOfView = Degrees 44, cameraRoll = Degrees 0},
+          sceneCamera =
+            (sceneCamera defaultScene)
+              { cameraPose =
+                  Around
+                    distance
+                    (Degrees inclination)
+                    (Degrees (azimuth + beta / sin (inclination * pi / 180))),
+                cameraFieldOfView = Degrees 44,
+                cameraRoll = Degrees 0
+              },
           sceneSamples = 1,
           sceneNoise = 0,
           sceneBloom = 0,
@@ -72,7 +87,10 @@ spec = do
     -- Seen by an observer at rest far down, who finds all light g⁴ times as bright.
     unlensed = 80e-6 * starFlux catalogue 0 / (1 - 1 / distance) ^ (2 :: Int)
     scale = 2 * tan (22 * pi / 180) / fromIntegral width
-    offset x y = (scale * (fromIntegral x + 0.5 - fromIntegral width / 2), scale * (fromIntegral y + 0.5 - fromIntegral height / 2))
+    offset x y =
+      ( scale * (fromIntegral x + 0.5 - fromIntegral width / 2),
+        scale * (fromIntegral y + 0.5 - fromIntegral height / 2)
+      )
     radiusOf x y = let (u, v) = offset x y in atan (sqrt (u * u + v * v))
     flux film =
       sum
@@ -85,7 +103,9 @@ spec = do
     -- The angle from the axis behind the hole of what is seen at an angle from
     -- the hole, by the closed form.
     behind theta = fromMaybe (0 / 0) $ do
-      photon <- sightLine Schwarzschild Static (XYZ distance 0 0) (XYZ (-(cos theta)) (sin theta) 0) >>= sightPhoton
+      photon <-
+        sightLine Schwarzschild Static (XYZ distance 0 0) (XYZ (-(cos theta)) (sin theta) 0)
+          >>= sightPhoton
       case followedFate (followExact Schwarzschild emptyRegion photon (\() _ -> Continue ()) ()) of
         Escaped (XYZ x y _) -> Just (atan2 y (-x))
         _ -> Nothing

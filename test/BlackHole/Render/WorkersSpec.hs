@@ -45,10 +45,11 @@ spec = do
     getNumCapabilities `shouldReturn` earlier
 
   it "run an action once each, but no more often than asked for" $
-    for_ [(n, most) | n <- mapMaybe workersFromCount [1, 2, 7], most <- [0, 1, 3, 9]] $ \(workers, most) -> do
-      calls <- newIORef (0 :: Int)
-      onWorkers workers most (atomicModifyIORef' calls (\k -> (k + 1, ())))
-      readIORef calls `shouldReturn` min (workersCount workers) most
+    for_ [(n, most) | n <- mapMaybe workersFromCount [1, 2, 7], most <- [0, 1, 3, 9]] $
+      \(workers, most) -> do
+        calls <- newIORef (0 :: Int)
+        onWorkers workers most (atomicModifyIORef' calls (\k -> (k + 1, ())))
+        readIORef calls `shouldReturn` min (workersCount workers) most
 
   it "all stop when one fails, or when the caller is stopped" $
     for_ (mapMaybe workersFromCount [1, 3]) $ \workers -> do
@@ -58,7 +59,8 @@ spec = do
       let count = workersCount workers
           act whenLast = do
             k <- atomicModifyIORef' started (\k -> (k + 1, k + 1))
-            (if k `mod` count == 0 then whenLast >> idle else idle) `finally` atomicModifyIORef' ended (\n -> (n + 1, ()))
+            (if k `mod` count == 0 then whenLast >> idle else idle)
+              `finally` atomicModifyIORef' ended (\n -> (n + 1, ()))
           idle = forever (threadDelay 1000000)
       onWorkers workers count (act (throwIO Overflow)) `shouldThrow` (== Overflow)
       readIORef ended `shouldReturn` count

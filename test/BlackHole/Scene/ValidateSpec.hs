@@ -38,21 +38,28 @@ spec = do
     complains "--disk-thickness" "0" (gas reportDisk {diskThickness = 0})
     complains "--temperature" "400" (gas reportDisk {diskColour = BlackBody 400})
   it "an orbiting observer needs to be outside the photon sphere, a falling one anywhere" $ do
-    let at r observer = map problemOption (validateScene (posed (Around r (Degrees 80) (Degrees 0))) {sceneObserver = observer})
+    let at r observer =
+          map
+            problemOption
+            (validateScene (posed (Around r (Degrees 80) (Degrees 0))) {sceneObserver = observer})
     at 1.5 Orbiting `shouldBe` ["--distance"]
     at 1.6 Orbiting `shouldBe` []
     at 0.5 Falling `shouldBe` []
   it "all problems are reported at once" $
-    map problemOption (validateScene (fieldOfView 190) {scenePicture = Picture 0 0, sceneSamples = -1})
+    map
+      problemOption
+      (validateScene (fieldOfView 190) {scenePicture = Picture 0 0, sceneSamples = -1})
       `shouldBe` ["--fov", "--width", "--height", "--samples"]
   where
     gas disk = defaultScene {sceneDisk = Just disk}
     posed pose = defaultScene {sceneCamera = (sceneCamera defaultScene) {cameraPose = pose}}
-    fieldOfView a = defaultScene {sceneCamera = (sceneCamera defaultScene) {cameraFieldOfView = Degrees a}}
+    fieldOfView a =
+      defaultScene {sceneCamera = (sceneCamera defaultScene) {cameraFieldOfView = Degrees a}}
     complains option value scene =
       it (option ++ " " ++ value) $ case validateScene scene of
         [problem] -> do
           problemOption problem `shouldBe` option
           problemValue problem `shouldBe` value
-          renderProblem problem `shouldSatisfy` (\l -> option `isInfixOf` l && value `isInfixOf` l && '\n' `notElem` l)
+          renderProblem problem
+            `shouldSatisfy` (\l -> option `isInfixOf` l && value `isInfixOf` l && '\n' `notElem` l)
         other -> expectationFailure (show other)

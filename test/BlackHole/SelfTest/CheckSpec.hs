@@ -11,5 +11,7 @@ spec = do
   it "a limit of 0 asks for equality" $
     map (\v -> checkHolds (Check "" v 1 0)) [1, 1 + 1e-15] `shouldBe` [True, False]
   it "what is no number never holds" $
-    map checkHolds [Check "" (0 / 0) 1 1, Check "" 1 (0 / 0) 1, Check "" 1 1 (0 / 0), Check "" (0 / 0) 0 (1 / 0)]
+    map
+      checkHolds
+      [Check "" (0 / 0) 1 1, Check "" 1 (0 / 0) 1, Check "" 1 1 (0 / 0), Check "" (0 / 0) 0 (1 / 0)]
       `shouldBe` replicate 4 False

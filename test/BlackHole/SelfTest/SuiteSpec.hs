@@ -14,11 +14,13 @@ spec = beforeAll selfTestChecks $ do
     for_ checks $ \check -> (check, checkError check) `shouldSatisfy` checkHolds . fst
   it "every check could fail" $ \checks ->
     for_ checks $ \check -> do
-      checkHolds check {checkReference = checkReference check + checkLimit check * 2.5 + 1e-9} `shouldBe` False
+      checkHolds check {checkReference = checkReference check + checkLimit check * 2.5 + 1e-9}
+        `shouldBe` False
       checkHolds check {checkValue = 0 / 0} `shouldBe` False
   it "no limit is looser than a thirtieth of what is measured" $ \checks ->
     for_ checks $ \check ->
-      (check, checkLimit check) `shouldSatisfy` (<= max 1e-5 (abs (checkReference check) / 30)) . snd
+      (check, checkLimit check)
+        `shouldSatisfy` (<= max 1e-5 (abs (checkReference check) / 30)) . snd
   it "names are different" $ \checks ->
     nub (map checkName checks) `shouldBe` map checkName checks
   it "covers what it promises" $ \checks ->
@@ -42,4 +44,5 @@ spec = beforeAll selfTestChecks $ do
       $ \beginning -> filter (isPrefixOf beginning . checkName) checks `shouldSatisfy` not . null
   it "has the deflections of the reference table" $ \_ -> do
     rows <- readDeflections
-    deflectionReferences `shouldBe` [(deflectionImpactParameter row, deflectionValue row) | row <- rows]
+    deflectionReferences
+      `shouldBe` [(deflectionImpactParameter row, deflectionValue row) | row <- rows]

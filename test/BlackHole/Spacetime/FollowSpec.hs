@@ -5,8 +5,7 @@ import BlackHole.Matter.Redshift
 import BlackHole.Spacetime.Follow
 import BlackHole.Spacetime.Observer
 import BlackHole.Spacetime.PlaneCrossing
-import BlackHole.Spacetime.Schwarzschild.Leapfrog
-import BlackHole.Spacetime.Schwarzschild.LeapfrogStep
+import BlackHole.Spacetime.Schwarzschild.StepRule
 import BlackHole.Spacetime.Types
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
 import qualified BlackHole.Vector.XYZ as XYZ
@@ -38,20 +37,25 @@ spec = do
     rays <- readRays
     forM_ rays $ \ray ->
       length (crossings InClosedForm ray)
-        `shouldBe` length [() | other <- rays, place other == place ray, Just _ <- [rayCrossing other]]
-  prop "a straight ray's is where a line meets a plane" $ \(Outside x@(XYZ _ y _)) (Direction d@(XYZ _ climb _)) ->
-    XYZ.norm (XYZ.cross x d) > 1
-      ==> case (sightLine Flat Static x d, y * climb < 0) of
-        (Just sight, True) -> case planeCrossings straight sight of
-          [crossing] ->
-            let r = XYZ.norm (x ^+^ (-y / climb) *^ d)
-             in closeTo (1e-9 * max 1 r) r (crossingRadius crossing)
-          other -> counterexample (show other) False
-        (Just sight, False) -> planeCrossings straight sight === []
-        (Nothing, _) -> counterexample "no line of sight" False
+        `shouldBe` length
+          [() | other <- rays, place other == place ray, Just _ <- [rayCrossing other]]
+  prop
+    "a straight ray's is where a line meets a plane"
+    $ \(Outside x@(XYZ _ y _)) (Direction d@(XYZ _ climb _)) ->
+      XYZ.norm (XYZ.cross x d) > 1
+        ==> case (sightLine Flat Static x d, y * climb < 0) of
+          (Just sight, True) -> case planeCrossings straight sight of
+            [crossing] ->
+              let r = XYZ.norm (x ^+^ (-y / climb) *^ d)
+               in closeTo (1e-9 * max 1 r) r (crossingRadius crossing)
+            other -> counterexample (show other) False
+          (Just sight, False) -> planeCrossings straight sight === []
+          (Nothing, _) -> counterexample "no line of sight" False
   prop "the plane's own light does not cross it" $
     forAll ((,) <$> inRange 1.1 40 <*> inRange 0 6.2) $ \(r, angle) ->
-      fmap (planeCrossings (tracing Schwarzschild InClosedForm (XYZ r 0 0))) (sightLine Schwarzschild Static (XYZ r 0 0) (XYZ (cos angle) 0 (sin angle)))
+      fmap
+        (planeCrossings (tracing Schwarzschild InClosedForm (XYZ r 0 0)))
+        (sightLine Schwarzschild Static (XYZ r 0 0) (XYZ (cos angle) 0 (sin angle)))
         === Just []
   where
     place ray = map ($ ray) [rayCameraRadius, rayInclination, rayPsi, rayEta]
@@ -60,16 +64,21 @@ spec = do
       case drop (crossingNumber expected - 1) (crossings method ray) of
         PlaneCrossing r azimuth (Just shift) : _ -> do
           r `shouldBeWithin` (limit * r, Reference.crossingRadius expected)
-          XYZ (cos azimuth) 0 (sin azimuth) `nearPoint` (limit, let a = Reference.crossingAzimuth expected in XYZ (cos a) 0 (sin a))
+          XYZ (cos azimuth) 0 (sin azimuth)
+            `nearPoint` (limit, let a = Reference.crossingAzimuth expected in XYZ (cos a) 0 (sin a))
           redshiftFactor shift `shouldBeWithin` (shiftLimit, crossingRedshiftFactor expected)
         other -> expectationFailure (show other)
     nearPoint a (limit, b) = XYZ.distance a b `shouldBeWithin` (limit, 0)
 
 -- | The crossings of a reference ray.
 crossings :: Method -> Ray -> [PlaneCrossing (Maybe Redshift)]
-crossings method ray = case sightLine Schwarzschild Static (rayCameraRadius ray *^ outward) direction of
-  Just sight -> [crossingRedshift (gasFlow Schwarzschild) sight c <$ c | c <- planeCrossings (tracing Schwarzschild method (XYZ (rayCameraRadius ray) 0 0)) sight]
-  Nothing -> []
+crossings method ray =
+  case sightLine Schwarzschild Static (rayCameraRadius ray *^ outward) direction of
+    Just sight ->
+      [ crossingRedshift (gasFlow Schwarzschild) sight c <$ c
+        | c <- planeCrossings (tracing Schwarzschild method (XYZ (rayCameraRadius ray) 0 0)) sight
+      ]
+    Nothing -> []
   where
     radians degrees = degrees * pi / 180
     i = radians (rayInclination ray)

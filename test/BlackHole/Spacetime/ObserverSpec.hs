@@ -77,7 +77,11 @@ spec = do
 -- | The impact parameter an observer at r sees at the angle ψ from inward.
 impactAt :: Observer -> Double -> Double -> Double
 impactAt observer r psi =
-  case sightLine Schwarzschild observer (XYZ 0 0 r) (XYZ 0 (sin psi) 0 ^+^ XYZ 0 0 (negate (cos psi))) of
+  case sightLine
+    Schwarzschild
+    observer
+    (XYZ 0 0 r)
+    (XYZ 0 (sin psi) 0 ^+^ XYZ 0 0 (negate (cos psi))) of
     Just (SightLine p _) -> XYZ.norm (angularMomentum p)
     _ -> 0 / 0
 

@@ -17,7 +17,13 @@ spec = do
     it "take the noise that displaces them along" $
       turnsWith plainArms {diskArmNoise = 3, diskArmNoiseFrequency = 0.5, diskArmNoiseOctaves = 2}
     it "are displaced by noise" $
-      spread (zipWith (-) (map (density plainArms {diskArmNoise = 3, diskArmNoiseFrequency = 0.5}) (places 6 0.2)) (map (density plainArms) (places 6 0.2))) `shouldSatisfy` (> 0.01)
+      spread
+        ( zipWith
+            (-)
+            (map (density plainArms {diskArmNoise = 3, diskArmNoiseFrequency = 0.5}) (places 6 0.2))
+            (map (density plainArms) (places 6 0.2))
+        )
+        `shouldSatisfy` (> 0.01)
     it "are as many as the disk says" $
       sequence_
         [ seen (at 6 (turn + 1 / fromIntegral n) 0.2) `shouldBeWithin` (1e-6, seen (at 6 turn 0.2))
@@ -34,8 +40,14 @@ spec = do
     it "goes round with the gas at every radius" $
       sequence_
         [ do
-            correlation (map (density turbulent) (ring r 0)) (map (density turbulent {diskTime = time}) (ring r (rate r * time))) `shouldSatisfy` (> 0.9)
-            correlation (map (density turbulent) (ring r 0)) (map (density turbulent {diskTime = time}) (ring r (negate (rate r * time)))) `shouldSatisfy` (< 0.6)
+            correlation
+              (map (density turbulent) (ring r 0))
+              (map (density turbulent {diskTime = time}) (ring r (rate r * time)))
+              `shouldSatisfy` (> 0.9)
+            correlation
+              (map (density turbulent) (ring r 0))
+              (map (density turbulent {diskTime = time}) (ring r (negate (rate r * time))))
+              `shouldSatisfy` (< 0.6)
           | let time = 0.1 * life,
             r <- [3.5, 5, 8]
         ]
@@ -49,19 +61,27 @@ spec = do
         ]
     it "is another one after each life" $
       sequence_
-        [ abs (correlation (map (density turbulent {diskTime = n * life}) (places 5 0)) (map (density turbulent) (places 5 0))) `shouldSatisfy` (< 0.5)
+        [ abs
+            ( correlation
+                (map (density turbulent {diskTime = n * life}) (places 5 0))
+                (map (density turbulent) (places 5 0))
+            )
+            `shouldSatisfy` (< 0.5)
           | n <- [1, 2, 3]
         ]
     it "varies as much between two patterns as within one" $
-      meanSpread [0.25, 0.75 .. 3.75] / meanSpread [0 .. 3] `shouldSatisfy` (\ratio -> ratio > 0.85 && ratio < 1.18)
+      meanSpread [0.25, 0.75 .. 3.75] / meanSpread [0 .. 3]
+        `shouldSatisfy` (\ratio -> ratio > 0.85 && ratio < 1.18)
     it "loses what a long segment cannot resolve, but not its mean" $ do
-      spread (map (smeared 2) (places 6 0)) `shouldSatisfy` (< 0.9 * spread (map (density turbulent) (places 6 0)))
+      spread (map (smeared 2) (places 6 0))
+        `shouldSatisfy` (< 0.9 * spread (map (density turbulent) (places 6 0)))
       let mean len = sum [exp (smeared len p) | r <- [4, 4.25 .. 9], p <- places r 0] / (64 * 21)
       (mean 2 / mean 1e-3) `shouldSatisfy` (\ratio -> ratio > 0.8 && ratio < 1.25)
   describe "without arms and turbulence" $ do
     it "falls off like a Gaussian with the height" $
       sequence_
-        [ calm (at r 0.3 y) `shouldBeWithin` (1e-3, calm (at r 0.3 0) - (y / diskThicknessAt smooth r) ^ (2 :: Int))
+        [ calm (at r 0.3 y)
+            `shouldBeWithin` (1e-3, calm (at r 0.3 0) - (y / diskThicknessAt smooth r) ^ (2 :: Int))
           | r <- [5, 8],
             y <- [0.05, -0.1]
         ]
@@ -74,7 +94,8 @@ spec = do
     -- Under a rotation by the arms' own angle nothing changes.
     turnsWith disk =
       sequence_
-        [ later (at 6 (turn + rate (sqrt (3 * 16)) * time) 0.2) `shouldBeWithin` (1e-6, now (at 6 turn 0.2))
+        [ later (at 6 (turn + rate (sqrt (3 * 16)) * time) 0.2)
+            `shouldBeWithin` (1e-6, now (at 6 turn 0.2))
           | let now = density disk,
             time <- [3, 40],
             let later = density disk {diskTime = time},
@@ -82,8 +103,18 @@ spec = do
         ]
     turns = [0, 0.13 .. 0.95]
     -- The arms' wave without the flare: what they take from the height's part.
-    thinness r turn = sqrt ((calm (at r turn 0) - armed (at r turn 0.2)) / (0.2 / diskThicknessAt smooth r) ^ (2 :: Int))
-    meanSpread lives = sum [spread (map (density turbulent {diskTime = n * life}) (concatMap (`places` 0) [4, 4.5 .. 9])) | n <- lives] / fromIntegral (length lives)
+    thinness r turn =
+      sqrt
+        ( (calm (at r turn 0) - armed (at r turn 0.2))
+            / (0.2 / diskThicknessAt smooth r) ^ (2 :: Int)
+        )
+    meanSpread lives =
+      sum
+        [ spread
+            (map (density turbulent {diskTime = n * life}) (concatMap (`places` 0) [4, 4.5 .. 9]))
+          | n <- lives
+        ]
+        / fromIntegral (length lives)
     smeared len place = along turbulentField place len
     ring r shift = [at r (shift + fromIntegral k / 64) 0 | k <- [0 .. 63 :: Int]]
     places r y = [at r (fromIntegral k / 64) y | k <- [0 .. 63 :: Int]]
@@ -96,7 +127,8 @@ density disk = \place -> along field place 1e-3
     field = fieldOf disk
 
 along :: GasField -> XYZ -> Double -> Double
-along field place = logDensity field place (XYZ.norm place)
+along field place len = case gasAt field place (XYZ.norm place) len 1 of
+  Here dense _ -> if dense > 0 then log dense else 2 * faintest
 
 -- | Fields that many examples share.
 turbulentField :: GasField
@@ -135,7 +167,13 @@ smooth =
       diskTurbulence = 0
     }
 plainArms = smooth {diskArms = 2, diskArmWinding = 1.1, diskArmDepth = 0.3, diskArmNoise = 0}
-turbulent = smooth {diskTurbulence = 1, diskTurbulenceFrequency = 4, diskTurbulenceOctaves = 3, diskTurbulenceWarp = 0}
+turbulent =
+  smooth
+    { diskTurbulence = 1,
+      diskTurbulenceFrequency = 4,
+      diskTurbulenceOctaves = 3,
+      diskTurbulenceWarp = 0
+    }
 
 -- | The standard deviation.
 spread :: [Double] -> Double

@@ -52,7 +52,18 @@ spec = do
       luminance left' `shouldBeWithin` (1e-9 + 1e-6 * luminance right', luminance right')
   describe "opacity" $
     it "ends the path beyond 99 %" $ do
-      let thick = gatherGas (gas Schwarzschild 0 (Shifts True True) smooth {diskOpacity = 1e4} (XYZ 0 0 20) 1e-3 1) 1
+      let thick =
+            gatherGas
+              ( gas
+                  Schwarzschild
+                  0
+                  (Shifts True True)
+                  smooth {diskOpacity = 1e4}
+                  (XYZ 0 0 20)
+                  1e-3
+                  1
+              )
+              1
       case thick nothingYet (planarSegment (Photon (XYZ 2.5 0 0) (XYZ 0 (-1) 0)) 0.1) of
         Stop gathered -> gatheredTransmittance gathered `shouldSatisfy` (< opaqueEnough)
         Continue _ -> expectationFailure "the path goes on"

@@ -28,19 +28,21 @@ spec :: Spec
 spec = do
   describe "a uniform sky" $ do
     prop "is uniform everywhere outside the shadow (Liouville)" $
-      forAll ((,,) <$> inRange 1.8 60 <*> inRange 1 179 <*> elements [Static, Falling, Coordinate]) $ \(r, i, observer) ->
-        forAll ((,) <$> inRange 0 64 <*> inRange 0 36) $ \(x, y) ->
-          let bare = (uniform 0.7) {sceneObserver = observer, sceneCamera = looking r i}
-              shift = case observer of
-                -- For an observer who falls the sky's shift depends on the
-                -- direction; this test is about its intensity.
-                Falling -> Nothing
-                Static -> Just ((1 - 1 / r) ** (-2))
-                _ -> Just 1
-           in case (shift, light bare (XY x y)) of
-                (_, Radiance 0 0 0) -> property True
-                (Just g4, Radiance v _ _) -> closeTo (1e-9 * g4) (0.7 * g4) v
-                (Nothing, Radiance v _ _) -> property (v > 0 && not (isInfinite v))
+      forAll
+        ((,,) <$> inRange 1.8 60 <*> inRange 1 179 <*> elements [Static, Falling, Coordinate])
+        $ \(r, i, observer) ->
+          forAll ((,) <$> inRange 0 64 <*> inRange 0 36) $ \(x, y) ->
+            let bare = (uniform 0.7) {sceneObserver = observer, sceneCamera = looking r i}
+                shift = case observer of
+                  -- For an observer who falls the sky's shift depends on the
+                  -- direction; this test is about its intensity.
+                  Falling -> Nothing
+                  Static -> Just ((1 - 1 / r) ** (-2))
+                  _ -> Just 1
+             in case (shift, light bare (XY x y)) of
+                  (_, Radiance 0 0 0) -> property True
+                  (Just g4, Radiance v _ _) -> closeTo (1e-9 * g4) (0.7 * g4) v
+                  (Nothing, Radiance v _ _) -> property (v > 0 && not (isInfinite v))
     it "shows a shadow of the size Synge computed" $
       sequence_
         [ shadowAngle r `shouldBeWithin` (1e-4, asin (sqrt (6.75 * (1 - 1 / r)) / r))
@@ -58,7 +60,9 @@ spec = do
             let smooth = (uniform 0.3) {sceneCamera = looking r i, sceneDisk = Just gas}
                 gas = reportDisk {diskArms = 0, diskThickness = 0.1, diskBrightness = 1}
                 a = luminance (light smooth (XY x y))
-                b = luminance (light smooth {sceneIntegrator = Leapfrogging, sceneStep = 0.02} (XY x y))
+                b =
+                  luminance
+                    (light smooth {sceneIntegrator = Leapfrogging, sceneStep = 0.02} (XY x y))
              in -- At the edge of the shadow the smallest error decides all.
                 a > 0.25 && b > 0.25 ==> closeTo 0.02 b a
   prop "no ray of the presets has a radiance that is not finite or negative" $
@@ -71,11 +75,21 @@ spec = do
 
   it "shows the same light with the tables of an earlier scene" $ do
     let first = defaultScene {scenePicture = Picture 64 36, sceneSamples = 1}
-        changed how = (first {sceneCamera = (sceneCamera first) {cameraPose = Around 54 (Degrees 60) (Degrees 200)}}) {sceneSamples = how}
+        changed how =
+          ( first
+              { sceneCamera =
+                  (sceneCamera first) {cameraPose = Around 54 (Degrees 60) (Degrees 200)}
+              }
+          )
+            { sceneSamples = how
+            }
         others =
           [ changed 1,
             (changed 4) {scenePicture = Picture 32 18},
-            (changed 1) {sceneCamera = (sceneCamera first) {cameraPose = Around 20 (Degrees 60) (Degrees 200)}},
+            (changed 1)
+              { sceneCamera =
+                  (sceneCamera first) {cameraPose = Around 20 (Degrees 60) (Degrees 200)}
+              },
             (changed 1) {sceneSeed = 7},
             (changed 1) {sceneSky = SkyGrid},
             (changed 1) {sceneDisk = Nothing},
@@ -90,14 +104,24 @@ spec = do
             -- Its tables have been made.
             | luminance (sightRadiance earlier (XY 30 20)) >= 0,
               Just taken <- tracerAfter earlier Nothing scene ->
-              sequence_ [luminance (sightRadiance taken point) `shouldBeWithin` (1e-9, luminance (sightRadiance fresh point)) | point <- points]
+              sequence_
+                [ luminance (sightRadiance taken point)
+                    `shouldBeWithin` (1e-9, luminance (sightRadiance fresh point))
+                  | point <- points
+                ]
           _ -> expectationFailure "no tracer"
         | scene <- others
       ]
   it "knows the pixels on the edge of the shadow" $
     sequence_
       [ do
-          let traced = tracer defaultScene {scenePicture = Picture 640 360, sceneCamera = looking r 80, sceneObserver = observer}
+          let traced =
+                tracer
+                  defaultScene
+                    { scenePicture = Picture 640 360,
+                      sceneCamera = looking r 80,
+                      sceneObserver = observer
+                    }
               alpha = case observer of
                 -- What an observer at rest sees, by aberration.
                 Falling -> 2 * atan (tan (0.5 * atRest) * sqrt ((1 - beta) / (1 + beta)))
@@ -105,8 +129,10 @@ spec = do
               atRest = asin (sqrt (6.75 * (1 - 1 / r)) / r)
               beta = sqrt (1 / r)
               edge = 320 + 320 * tan alpha / tan (30 * pi / 180)
-              found offset = maybe False (\t -> isJust (photonRing t (XY (edge + offset) 180))) traced
-          map found [-20, -4, -0.5, 0, 0.5, 4, 20] `shouldBe` [False, False, True, True, True, False, False]
+              found offset =
+                maybe False (\t -> isJust (photonRing t (XY (edge + offset) 180))) traced
+          map found [-20, -4, -0.5, 0, 0.5, 4, 20]
+            `shouldBe` [False, False, True, True, True, False, False]
         | r <- [6, 20, 80],
           observer <- [Static, Falling]
       ]
@@ -114,7 +140,11 @@ spec = do
     case tracer defaultScene {sceneSky = SkyNone} of
       Nothing -> expectationFailure "no scene"
       Just traced -> do
-        let segments point = maybe 0 (\sight -> followedSteps (followSight traced point sight (\() _ -> Continue ()) ())) (tracedSight traced point)
+        let segments point =
+              maybe
+                0
+                (\sight -> followedSteps (followSight traced point sight (\() _ -> Continue ()) ()))
+                (tracedSight traced point)
             points = [XY x y | x <- [100, 200 .. 1800], y <- [250, 270 .. 830]]
         bytes <- bytesOfRays traced points
         let long = [b | (b, point) <- zip bytes points, segments point >= 16]

@@ -8,6 +8,7 @@ import BlackHole.Spacetime.Schwarzschild.Deflection
 import BlackHole.Trace.RayDifferential
 import BlackHole.Trace.StarCatalogue
 import BlackHole.Trace.StarField
+import BlackHole.Trace.StarWindow
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
 import qualified BlackHole.Vector.XYZ as XYZ
@@ -31,7 +32,13 @@ spec = do
           let flux = pictureFlux field 1e-3 (plainDifferential 1e-3 (XY shift (0.3 * shift)))
       ]
   it "nor with the way several samples lie in a pixel" $ do
-    let sampled = sum [pictureFlux field 1e-3 (plainDifferential 1e-3 (XY (0.25 * i) (0.25 * j))) | i <- [0 .. 3], j <- [0 .. 3]] / 16
+    let sampled =
+          sum
+            [ pictureFlux field 1e-3 (plainDifferential 1e-3 (XY (0.25 * i) (0.25 * j)))
+              | i <- [0 .. 3],
+                j <- [0 .. 3]
+            ]
+            / 16
     sampled `shouldBeWithin` (0.002 * starFlux alone 0, starFlux alone 0)
   it "a lensed star is as bright as the deflection's closed form has it" $
     -- Both images of a star at angle β from straight behind a hole that is 1000
@@ -40,34 +47,66 @@ spec = do
     sequence_
       [ flux `shouldBeWithin` (0.01 * expected, expected)
         | beta <- [0.015, 0.03, 0.05],
-          let expected = starFlux alone 0 * (magnification (imageAt beta) + magnification (imageAt (-beta))),
+          let expected =
+                starFlux alone 0 * (magnification (imageAt beta) + magnification (imageAt (-beta))),
           let flux = lensedFlux beta
       ]
-  prop "narrow beams of any shape see every star within the kernel, also across the edges of the cube" $ \(Direction d) (Direction across) ->
-    forAll ((,,) <$> inRange 0.005 0.03 <*> inRange 0.2 1 <*> elements [d, unit (XYZ 1 1 0.02), unit (XYZ (-1) 1.01 1), unit (XYZ 0.99 (-1) (-1))]) $ \(width, ratio, middle) ->
-      let differential = RayDifferential middle (width *^ a) ((ratio * width) *^ unit (b ^+^ 0.4 *^ a))
-          a = unit (XYZ.cross middle across)
-          b = XYZ.cross a middle
-          expected = bySearch differential
-       in closeTo (1e-4 * (1e-9 + expected)) expected (luminance (starFieldRadiance hundreds 1 differential))
+  prop
+    "narrow beams of any shape see every star within the kernel, also across the edges of the cube"
+    $ \(Direction d) (Direction across) ->
+      forAll
+        ( (,,) <$> inRange 0.005 0.03 <*> inRange 0.2 1
+            <*> elements [d, unit (XYZ 1 1 0.02), unit (XYZ (-1) 1.01 1), unit (XYZ 0.99 (-1) (-1))]
+        )
+        $ \(width, ratio, middle) ->
+          let differential =
+                RayDifferential middle (width *^ a) ((ratio * width) *^ unit (b ^+^ 0.4 *^ a))
+              a = unit (XYZ.cross middle across)
+              b = XYZ.cross a middle
+              expected = bySearch differential
+           in closeTo
+                (1e-4 * (1e-9 + expected))
+                expected
+                (luminance (starFieldRadiance hundreds 1 differential))
   it "looks for stars no farther away than the kernel reaches" $
     -- A larger window costs time and shows in no picture.
     forM_ [1e-4, 0.003, 0.02] $ \width ->
-      starWindows (RayDifferential (XYZ 0 0 1) (XYZ width 0 0) (XYZ 0 (0.5 * width) 0)) `shouldSatisfy` \case
-        [Window 4 u0 u1 v0 v1] ->
-          and [edge >= 1 && edge < 1.06 | (end, half) <- [(-u0, width), (u1, width), (-v0, 0.5 * width), (v1, 0.5 * width)], let edge = end / (kernelRadius * half)]
-        _ -> False
-  it "on a caustic a star is as bright as in a beam of a sixtieth of the width, or four pixels from it where that is less" $
-    sequence_
-      [ luminance (starFieldRadiance field 1 (RayDifferential star (width *^ right) ((1e-5 * width) *^ down)))
+      lookThrough
+        1
+        (kernelRadius * width)
+        (RayDifferential (XYZ 0 0 1) (XYZ width 0 0) (XYZ 0 (0.5 * width) 0))
+        `shouldSatisfy` \case
+          Look _ _ _ _ (Window 4 u0 u1 v0 v1) [] ->
+            and
+              [ edge >= 1 && edge < 1.06
+                | (end, half) <- [(-u0, width), (u1, width), (-v0, 0.5 * width), (v1, 0.5 * width)],
+                  let edge = end / (kernelRadius * half)
+              ]
+          _ -> False
+  it
+    "on a caustic a star is as bright as in a beam of a sixtieth of the width, or four pixels \
+    \from it where that is less"
+    $ sequence_
+      [ luminance
+          ( starFieldRadiance
+              field
+              1
+              (RayDifferential star (width *^ right) ((1e-5 * width) *^ down))
+          )
           `shouldBeWithin` (1e-3 * expected, expected)
         | width <- [0.01, 1e-3],
-          let expected = starFlux alone 0 * pixelKernel 0 ^ (2 :: Int) / (width * width * min (1 / 60) (4 * width))
+          let expected =
+                starFlux alone 0
+                  * pixelKernel 0 ^ (2 :: Int) / (width * width * min (1 / 60) (4 * width))
       ]
   it "narrow beams see on average what wide ones see" $ do
-    let many = starField 1 (starCatalogue (Seed 5) 20000)
-        average width = sum [luminance (starFieldRadiance many 1 (spiralDifferential width i)) | i <- [0 .. 19999]] / 20000
-        whole = luminance (starFieldMean many)
+    let many = starField 1 stars
+        average width =
+          sum
+            [luminance (starFieldRadiance many 1 (spiralDifferential width i)) | i <- [0 .. 19999]]
+            / 20000
+        stars = starCatalogue (Seed 5) 20000
+        whole = sum (map (starFlux stars) [0 .. 19999]) / (4 * pi)
     -- The beams at 0.02 rad and those at 0.1 overlap each other.
     average 0.02 `shouldBeWithin` (0.02 * whole, whole)
     average 0.06 `shouldBeWithin` (0.02 * whole, whole)
@@ -76,13 +115,20 @@ spec = do
     sequence_
       [ starFieldRadiance field 1 differential `shouldSatisfy` isFiniteRadiance
         | bad <- [0 / 0, 1 / 0, 1e200, 0],
-          differential <- [RayDifferential (XYZ bad 0 1) (XYZ 1 0 0) (XYZ 0 1 0), RayDifferential (XYZ 0 0 1) (XYZ bad 0 0) (XYZ 0 bad 0), RayDifferential (XYZ 0 0 1) (XYZ 1e-3 0 0) (XYZ 0 bad 0)]
+          differential <-
+            [ RayDifferential (XYZ bad 0 1) (XYZ 1 0 0) (XYZ 0 1 0),
+              RayDifferential (XYZ 0 0 1) (XYZ bad 0 0) (XYZ 0 bad 0),
+              RayDifferential (XYZ 0 0 1) (XYZ 1e-3 0 0) (XYZ 0 bad 0)
+            ]
       ]
   it "stars are bluer and g⁴ times as bright to one who meets them" $ do
     let differential = plainDifferential 1e-3 (XY 0 0) (XY 0 0)
         Radiance r _ b = starFieldRadiance field 1 differential
         Radiance r' _ b' = starFieldRadiance field 1.5 differential
-    (luminance (starFieldRadiance field 1.5 differential) / luminance (starFieldRadiance field 1 differential)) `shouldBeWithin` (1e-3, 1.5 ** 4)
+    ( luminance (starFieldRadiance field 1.5 differential)
+        / luminance (starFieldRadiance field 1 differential)
+      )
+      `shouldBeWithin` (1e-3, 1.5 ** 4)
     (b' / r') `shouldSatisfy` (> b / r)
   where
     -- As few as are all in one tier.
@@ -107,10 +153,20 @@ spec = do
 
     -- A flat sky around the star, so many radians per pixel.
     plainDifferential :: Double -> XY -> XY -> RayDifferential
-    plainDifferential scale (XY sx sy) (XY x y) = RayDifferential (unit (star ^+^ (scale * (x + sx)) *^ right ^+^ (scale * (y + sy)) *^ down)) (scale *^ right) (scale *^ down)
+    plainDifferential scale (XY sx sy) (XY x y) =
+      RayDifferential
+        (unit (star ^+^ (scale * (x + sx)) *^ right ^+^ (scale * (y + sy)) *^ down))
+        (scale *^ right)
+        (scale *^ down)
 
     pictureFlux stars scale differential =
-      scale * scale * sum [luminance (starFieldRadiance stars 1 (differential (XY (fromIntegral i) (fromIntegral j)))) | i <- [-4 .. 4 :: Int], j <- [-4 .. 4 :: Int]]
+      scale * scale
+        * sum
+          [ luminance
+              (starFieldRadiance stars 1 (differential (XY (fromIntegral i) (fromIntegral j))))
+            | i <- [-4 .. 4 :: Int],
+              j <- [-4 .. 4 :: Int]
+          ]
 
     -- Seen by an observer far away, through pixels of 1e-3: those in a window
     -- about each image are added up.
@@ -121,7 +177,11 @@ spec = do
             | centre <- [imageAt beta, negate (imageAt (-beta))],
               i <- [-5 .. 5 :: Int],
               j <- [-5 .. 5 :: Int],
-              Just differential <- [differentialByDifferences (escape beta) (XY (fromIntegral (round (centre / pixel) + i :: Int)) (fromIntegral j))]
+              Just differential <-
+                [ differentialByDifferences
+                    (escape beta)
+                    (XY (fromIntegral (round (centre / pixel) + i :: Int)) (fromIntegral j))
+                ]
           ]
     pixel = 1e-3
     escape beta (XY x y) = do
@@ -141,7 +201,10 @@ spec = do
     imageAt beta = go (60 :: Int) (2.7 / holeDistance) 1
       where
         go 0 low high = 0.5 * (low + high)
-        go n low high = let m = 0.5 * (low + high) in if behindOf m < beta then go (n - 1) m high else go (n - 1) low m
+        go n low high =
+          let m =
+                0.5 * (low + high)
+           in if behindOf m < beta then go (n - 1) m high else go (n - 1) low m
     magnification theta =
       let h = 1e-6
           slope = (behindOf (theta + h) - behindOf (theta - h)) / (2 * h)

@@ -14,7 +14,13 @@ module BlackHole.Render.PixelArray
   )
 where
 
-import BlackHole.Render.PixelShape (PixelShape, shapeChannels, shapeHeight, shapeRowLength, shapeWidth)
+import BlackHole.Render.PixelShape
+  ( PixelShape,
+    shapeChannels,
+    shapeHeight,
+    shapeRowLength,
+    shapeWidth,
+  )
 import BlackHole.Render.RowCount (withRowCount)
 import BlackHole.Render.Workers (Workers, workersCount)
 import Control.Monad.ST (ST, stToIO)

@@ -42,12 +42,17 @@ serve = Just $ \wanted serviceAt started -> do
       Right <$> runSettingsSocket settings bound (application port (serviceAt port))
 
 listening :: Maybe Int -> IO Socket.Socket
-listening wanted = bracketOnError (Socket.socket Socket.AF_INET Socket.Stream Socket.defaultProtocol) Socket.close $ \socket -> do
-  Socket.setSocketOption socket Socket.ReuseAddr 1
-  Socket.withFdSocket socket Socket.setCloseOnExecIfNeeded
-  Socket.bind socket (Socket.SockAddrInet (maybe 0 fromIntegral wanted) (Socket.tupleToHostAddress (127, 0, 0, 1)))
-  Socket.listen socket 64
-  pure socket
+listening wanted = bracketOnError
+  (Socket.socket Socket.AF_INET Socket.Stream Socket.defaultProtocol)
+  Socket.close
+  $ \socket -> do
+    Socket.setSocketOption socket Socket.ReuseAddr 1
+    Socket.withFdSocket socket Socket.setCloseOnExecIfNeeded
+    Socket.bind
+      socket
+      (Socket.SockAddrInet (maybe 0 fromIntegral wanted) (Socket.tupleToHostAddress (127, 0, 0, 1)))
+    Socket.listen socket 64
+    pure socket
 
 application :: Int -> Service -> Application
 application port service request respond = case websocketsApp options talk request of
@@ -67,14 +72,25 @@ application port service request respond = case websocketsApp options talk reque
           connectionMessageDataSizeLimit = SizeLimit (fromIntegral maximumMessageBytes)
         }
     talk pending = case serviceTalk service asked of
-      Nothing -> rejectRequestWith pending defaultRejectRequest {rejectCode = 403, rejectMessage = "Forbidden", rejectBody = "Forbidden\n"}
+      Nothing ->
+        rejectRequestWith
+          pending
+          defaultRejectRequest
+            { rejectCode = 403,
+              rejectMessage = "Forbidden",
+              rejectBody = "Forbidden\n"
+            }
       Just serveSession -> do
         socket <- acceptRequest pending
         -- Warp ends connections that are silent for 30 seconds.
         withPingThread socket 10 (pure ()) . serveSession $
           Connection
-            { hear = (Just . fromDataMessage <$> receiveDataMessage socket) `catch` gone Nothing `catch` broken Nothing,
-              send = \message -> WebSockets.sendDataMessage socket (dataMessage message) `catch` gone () `catch` broken ()
+            { hear =
+                (Just . fromDataMessage <$> receiveDataMessage socket) `catch` gone Nothing
+                  `catch` broken Nothing,
+              send = \message ->
+                WebSockets.sendDataMessage socket (dataMessage message) `catch` gone ()
+                  `catch` broken ()
             }
     -- The page is gone, or does not follow the protocol.
     gone :: a -> ConnectionException -> IO a
@@ -101,7 +117,14 @@ answered port answer = case answer of
 -- page may frame it or read from it, and links do not tell its address.
 guards :: Int -> [(HeaderName, Bytes.ByteString)]
 guards port =
-  [ ("Content-Security-Policy", "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; connect-src 'self' " <> socketOn "127.0.0.1" <> " " <> socketOn "localhost" <> "; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"),
+  [ ( "Content-Security-Policy",
+      "default-src 'none'; script-src 'self'; style-src 'self'; img-src \
+      \'self' blob: data:; connect-src 'self' "
+        <> socketOn "127.0.0.1"
+        <> " "
+        <> socketOn "localhost"
+        <> "; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
+    ),
     ("X-Content-Type-Options", "nosniff"),
     ("Referrer-Policy", "no-referrer"),
     ("Cross-Origin-Resource-Policy", "same-origin"),

@@ -53,7 +53,8 @@ animate options = case (animateStatus options, formatOf (framePatternOf options)
         (Right (Left _), Nothing) ->
           complain
             BadInput
-            "animate needs a scene file with a section animation, or --orbit DEGREES (see: blackhole help animation)"
+            "animate needs a scene file with a section animation, or --orbit DEGREES (see: \
+            \blackhole help animation)"
         (Right (Left scene), Just _) -> whenPossible options format (stillAnimation scene)
         (Right (Right animation), _) -> whenPossible options format animation
 
@@ -183,7 +184,10 @@ plan options environment coder animation = do
       Nothing ->
         Left
           ( CannotWrite,
-            ["--video: needs ffmpeg, which is not installed (on Debian and Ubuntu: apt-get install ffmpeg); nothing has been rendered"]
+            [ "--video: needs ffmpeg, which is not installed (on Debian and Ubuntu: apt-get \
+              \install \
+              \ffmpeg); nothing has been rendered"
+            ]
           )
 
 -- | Prints the state of the animations in a folder; 'Done' if all their frames are.

@@ -91,7 +91,8 @@ animateOptions =
           number
           ( long "orbit" <> metavar "DEGREES"
               <> help
-                "Move the camera this far around the hole, about the disk's axis, instead of along the scene file's camera path; needs no scene file"
+                "Move the camera this far around the hole, about the disk's axis, instead of along \
+                \the scene file's camera path; needs no scene file"
           )
       )
     <*> setting
@@ -121,7 +122,8 @@ animateOptions =
           number
           ( long "shutter" <> metavar "FRACTION"
               <> help
-                "Motion blur: the fraction of the time between frames for which the shutter is open, 0 to 1 (default: the scene file's, or 0)"
+                "Motion blur: the fraction of the time between frames for which the shutter is \
+                \open, 0 to 1 (default: the scene file's, or 0)"
           )
       )
     <*> setting
@@ -129,7 +131,8 @@ animateOptions =
           wholeNumber
           ( long "shutter-samples" <> metavar "N"
               <> help
-                "Times averaged in each frame with an open shutter; rendering takes N times as long (default: the scene file's, or 8)"
+                "Times averaged in each frame with an open shutter; rendering takes N times as \
+                \long (default: the scene file's, or 8)"
           )
       )
     <*> setting
@@ -137,7 +140,8 @@ animateOptions =
           shardChoice
           ( long "shard" <> metavar "I/N|slurm"
               <> help
-                "Render only every N-th frame, beginning with the I-th; slurm takes I and N from a Slurm array job"
+                "Render only every N-th frame, beginning with the I-th; slurm takes I and N from a \
+                \Slurm array job"
           )
       )
     <*> setting
@@ -154,7 +158,8 @@ animateOptions =
           (named "a codec" videoCodecs)
           ( long "codec" <> metavar "NAME" <> completeWith (map fst videoCodecs)
               <> help
-                "Codec of the video file: h264, h265 or av1 for .mp4, vp9 or av1 for .webm (default: h264 or vp9)"
+                "Codec of the video file: h264, h265 or av1 for .mp4, vp9 or av1 for .webm \
+                \(default: h264 or vp9)"
           )
       )
     <*> setting
@@ -162,7 +167,8 @@ animateOptions =
           wholeNumber
           ( long "crf" <> metavar "N"
               <> help
-                "Constant rate factor of the video file: less is better and larger (default: 16 for h264, 18 for h265, 24 for vp9 and av1)"
+                "Constant rate factor of the video file: less is better and larger (default: 16 \
+                \for h264, 18 for h265, 24 for vp9 and av1)"
           )
       )
     <*> threadsOption
@@ -172,14 +178,16 @@ animateOptions =
           number
           ( long "stale-after" <> metavar "SECONDS"
               <> help
-                "Take over a frame if the process on another machine that was rendering it has shown no sign of life for this long (default: 120)"
+                "Take over a frame if the process on another machine that was rendering it has \
+                \shown no sign of life for this long (default: 120)"
           )
       )
     <*> setting
       ( strOption
           ( long "status" <> metavar "DIR" <> action "directory"
               <> help
-                "List the frames in a folder that are done, running, missing, outdated or damaged, instead of rendering; the exit code is 0 if all are done"
+                "List the frames in a folder that are done, running, missing, outdated or damaged, \
+                \instead of rendering; the exit code is 0 if all are done"
           )
       )
     <*> reporting
@@ -269,7 +277,8 @@ usageProblems options animation =
     ++ concat
       [ [ Mistake
             "--video"
-            "cannot be combined with --shard; make the video file in a run of all frames, which renders only those that are missing"
+            "cannot be combined with --shard; make the video file in a run of all frames, which \
+            \renders only those that are missing"
           | Just _ <- [animateShard options]
         ]
           ++ [ Mistake "--video" ("needs frames in PNG files, not '" ++ pattern' ++ "'")

@@ -16,7 +16,7 @@ import BlackHole.Scene.Problem (Problem (..))
 import BlackHole.Scene.Scene (Integrator (..), integratorName)
 import BlackHole.Spacetime.Kerr.Landmarks (Spin, ergosphereRadius, spin)
 import BlackHole.Spacetime.Kerr.Sight
-import BlackHole.Spacetime.Schwarzschild.LeapfrogStep (StepRule (..), reportStepRule)
+import BlackHole.Spacetime.Schwarzschild.StepRule (StepRule (..), reportStepRule)
 import BlackHole.Spacetime.Schwarzschild.Trajectory
 import Data.Maybe (fromMaybe)
 import Options.Applicative
@@ -65,7 +65,8 @@ photonOptions =
           number
           ( long "inclination" <> metavar "DEGREES"
               <> help
-                ( "Angle between the disk's axis and the camera, or the direction that the light goes to (default: "
+                ( "Angle between the disk's axis and the camera, or the direction that the light \
+                  \goes to (default: "
                     ++ showDouble standardInclination
                     ++ ")"
                 )
@@ -92,7 +93,8 @@ photonOptions =
           number
           ( long "eta" <> metavar "DEGREES"
               <> help
-                ( "Position angle of the path about the hole's centre, from right towards up (default: "
+                ( "Position angle of the path about the hole's centre, from right towards up \
+                  \(default: "
                     ++ showDouble standardEta
                     ++ ")"
                 )
@@ -104,7 +106,8 @@ photonOptions =
           (named "an integrator" [(integratorName i, i) | i <- [minBound ..]])
           ( long "integrator" <> metavar "NAME" <> completeWith (map integratorName [minBound ..])
               <> help
-                "How to follow the light: exact (closed form), table (as render does by default) or leapfrog; the latter two with their errors (default: exact)"
+                "How to follow the light: exact (closed form), table (as render does by default) \
+                \or leapfrog; the latter two with their errors (default: exact)"
           )
       )
     <*> setting
@@ -209,7 +212,8 @@ resolvePlanar options = case (problems, trajectory, method) of
   ([], Just path, Just way) -> Right (PhotonTask path way)
   _ -> Left problems
   where
-    problems = startProblems ++ sightProblems inclination eta ++ methodProblems ++ pathNameProblems options
+    problems =
+      startProblems ++ sightProblems inclination eta ++ methodProblems ++ pathNameProblems options
     (startProblems, trajectory) = case (photonImpact options, photonPsi options) of
       (Just b, Nothing)
         | Nothing <- photonDistance options ->
@@ -224,7 +228,8 @@ resolvePlanar options = case (problems, trajectory, method) of
       (Nothing, Nothing) ->
         ( [ Mistake
               "--psi"
-              "missing; give --psi DEGREES for a line of sight, or --impact B for light from infinity"
+              "missing; give --psi DEGREES for a line of sight, or --impact B for light from \
+              \infinity"
           ],
           Nothing
         )
@@ -265,7 +270,8 @@ resolvePlanar options = case (problems, trajectory, method) of
         Nothing ->
           ( [ Mistake
                 "--integrator"
-                "table applies only with --psi; it holds the paths that start at the camera's distance"
+                "table applies only with --psi; it holds the paths that start at the camera's \
+                \distance"
             ],
             Nothing
           )

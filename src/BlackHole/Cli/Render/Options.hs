@@ -68,7 +68,8 @@ renderOptions =
           tilePart
           ( long "tile" <> metavar "I/N"
               <> help
-                "Render part I of N, a band of rows, to a tile file (-o FILE.tile) for blackhole join"
+                "Render part I of N, a band of rows, to a tile file (-o FILE.tile) for \
+                \blackhole join"
           )
       )
     <*> runOptions
@@ -76,7 +77,8 @@ renderOptions =
       ( strOption
           ( long "output" <> short 'o' <> metavar "FILE" <> action "file"
               <> help
-                "File to write: .png, .jpg, .tif, .hdr or .exr; - writes a PNG to standard output (default: blackhole.png)"
+                "File to write: .png, .jpg, .tif, .hdr or .exr; - writes a PNG to standard output \
+                \(default: blackhole.png)"
           )
       )
 

@@ -22,6 +22,7 @@ import BlackHole.Image.Metadata (software)
 import BlackHole.Image.SkyFile
 import BlackHole.Image.TileFile (encodeTile)
 import BlackHole.Image.Write
+import BlackHole.Render.Exposed
 import BlackHole.Render.Film
 import BlackHole.Render.Optics
 import BlackHole.Render.Shard (Shard, shardRows)

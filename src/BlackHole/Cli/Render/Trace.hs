@@ -14,7 +14,7 @@ import BlackHole.Cli.PictureOutput (timed)
 import BlackHole.Cli.Progress (withProgress)
 import BlackHole.Cli.RunOptions
 import BlackHole.Cli.Signals (Stopped)
-import BlackHole.Render.Film
+import BlackHole.Render.Exposed
 import BlackHole.Render.PixelArray (fromPixelVector, pixelArrayShape, toPixelVector)
 import BlackHole.Render.PixelShape (pixelShape, shapeHeight)
 import BlackHole.Render.Workers

@@ -31,10 +31,14 @@ settingConditions =
     ("disk.", "disk.present" `is` SwitchValue True),
     ("disk.arms.", above 0 "disk.arms.count"),
     ("disk.turbulence.", above 0 "disk.turbulence.strength"),
-    ("disk.turbulence.heat", Condition "disk.colour" "black-body, bolometric or synchrotron" (/= NameValue "hue-ramp")),
+    ( "disk.turbulence.heat",
+      Condition "disk.colour" "black-body, bolometric or synchrotron" (/= NameValue "hue-ramp")
+    ),
     ("disk.haze.height", above 0 "disk.haze.density"),
     ("sky.", "diagnostics.debug-textures" `is` SwitchValue False),
-    ("sky.rotation", Condition "sky.kind" "stars or FILE" (\v -> v == NameValue "stars" || isFile v)),
+    ( "sky.rotation",
+      Condition "sky.kind" "stars or FILE" (\v -> v == NameValue "stars" || isFile v)
+    ),
     ("sky.brightness", "sky.kind" `is` NameValue "stars"),
     ("sky.milky-way", "sky.kind" `is` NameValue "stars"),
     ("sky.panorama.", Condition "sky.kind" "FILE" isFile),
@@ -63,9 +67,19 @@ settingConditions =
 -- | The first condition for the setting of this path that does not hold in a scene;
 -- 'Nothing' if the setting has an effect there.
 unmetCondition :: Scene -> String -> Maybe Condition
-unmetCondition scene path = case filter unmet [condition | (start, condition) <- settingConditions, start `covers` path, conditionPath condition /= path] of
+unmetCondition scene path = case filter
+  unmet
+  [ condition | (start, condition) <- settingConditions, start `covers` path, conditionPath
+                                                                                condition
+                                                                                /= path
+  ] of
   first : _ -> Just first
   [] -> Nothing
   where
     covers start = if "." `isSuffixOf` start then (start `isPrefixOf`) else (start ==)
-    unmet condition = not (any (conditionHolds condition) (findField (conditionPath condition) >>= (`fieldGet` scene)))
+    unmet condition =
+      not
+        ( any
+            (conditionHolds condition)
+            (findField (conditionPath condition) >>= (`fieldGet` scene))
+        )

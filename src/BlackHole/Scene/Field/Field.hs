@@ -8,10 +8,6 @@ module BlackHole.Scene.Field.Field
     optionName,
     fieldLabel,
 
-    -- * Parts of a scene
-    Part (..),
-    inside,
-
     -- * Kinds of fields
     number,
     whole,
@@ -21,16 +17,19 @@ module BlackHole.Scene.Field.Field
     choiceOrFile,
     vector,
 
-    -- * Options
+    -- * What follows a kind
+    FieldOf,
+    sets,
+    documented,
     withOption,
     withFlag,
   )
 where
 
 import BlackHole.Scene.Field.Kind
+import BlackHole.Scene.Field.Part
 import BlackHole.Scene.Scene (Scene)
 import BlackHole.Vector.XYZ (XYZ)
-import Control.Monad ((>=>))
 import Data.List (find)
 import Data.Word (Word64)
 
@@ -86,52 +85,49 @@ optionName (Sets name _ _) = "--" ++ name
 fieldLabel :: Field -> String
 fieldLabel f = maybe (fieldPath f) optionName (fieldOption f)
 
--- | A part of a whole, which may lack it: how to get the part, and how to replace it.
-data Part whole part = Part
-  { partOf :: !(whole -> Maybe part),
-    partSet :: !(part -> whole -> whole)
-  }
+-- | A setting that lacks the part of a scene that it sets, and its documentation.
+type FieldOf a = Part Scene a -> String -> Field
 
--- | A part of a part. Replaces nothing if the outer part is missing.
-inside :: Part whole middle -> Part middle part -> Part whole part
-inside outer inner =
-  Part
-    { partOf = partOf outer >=> partOf inner,
-      partSet = \p w -> maybe w (\m -> partSet outer (partSet inner p m) w) (partOf outer w)
-    }
+-- | @f \`sets\` part@: the setting of this part of a scene.
+sets :: FieldOf a -> Part Scene a -> String -> Field
+sets = ($)
 
--- | @number topic path quantity doc part@: a number with unit and range.
-number :: Topic -> String -> Quantity -> String -> Part Scene Double -> Field
+-- | @f \`documented\` doc@: the setting with one sentence, without a full stop.
+documented :: (String -> Field) -> String -> Field
+documented = ($)
+
+-- | @number topic path quantity@: a number with unit and range.
+number :: Topic -> String -> Quantity -> FieldOf Double
 number topic path quantity = field (NumberKind quantity) NumberValue fromValue topic path
   where
     fromValue (NumberValue v) = Just v
     fromValue _ = Nothing
 
--- | @whole topic path (least, greatest) unit doc part@: a whole number.
-whole :: Topic -> String -> (Int, Int) -> String -> String -> Part Scene Int -> Field
+-- | @whole topic path (least, greatest) unit@: a whole number.
+whole :: Topic -> String -> (Int, Int) -> String -> FieldOf Int
 whole topic path (low, high) unit = field (WholeKind low high unit) WholeValue fromValue topic path
   where
     fromValue (WholeValue n) = Just n
     fromValue _ = Nothing
 
--- | @seed topic path doc part@: a whole number of 64 bits.
-seed :: Topic -> String -> String -> Part Scene Word64 -> Field
+-- | @seed topic path@: a whole number of 64 bits.
+seed :: Topic -> String -> FieldOf Word64
 seed = field SeedKind SeedValue fromValue
   where
     fromValue (SeedValue n) = Just n
     fromValue _ = Nothing
 
--- | @switch topic path doc part@: on or off.
-switch :: Topic -> String -> String -> Part Scene Bool -> Field
+-- | @switch topic path@: on or off.
+switch :: Topic -> String -> FieldOf Bool
 switch = field SwitchKind SwitchValue fromValue
   where
     fromValue (SwitchValue b) = Just b
     fromValue _ = Nothing
 
--- | @choice topic path noun choices doc part@: one of several values, each with its name
+-- | @choice topic path noun choices@: one of several values, each with its name
 -- in lower case and its meaning.
-choice :: Eq a => Topic -> String -> String -> [(a, String, String)] -> String -> Part Scene a -> Field
-choice topic path what choices doc part =
+choice :: Eq a => Topic -> String -> String -> [(a, String, String)] -> FieldOf a
+choice topic path what choices part doc =
   Field
     { fieldPath = path,
       fieldTopic = topic,
@@ -143,33 +139,44 @@ choice topic path what choices doc part =
         (_, name, _) <- find (\(v, _, _) -> v == value) choices
         pure (NameValue name),
       fieldSet = \value scene -> case value of
-        NameValue name | Just (v, _, _) <- find (\(_, n, _) -> n == name) choices -> partSet part v scene
+        NameValue name
+          | Just (v, _, _) <- find (\(_, n, _) -> n == name) choices ->
+            partSet part v scene
         _ -> scene
     }
 
--- | @choiceOrFile topic path noun choices fileNoun (fromFile, toFile) doc part@: a choice
+-- | @choiceOrFile topic path noun choices fileNoun (fromFile, toFile)@: a choice
 -- or a file, with the functions from a file's name to a value and back.
-choiceOrFile :: Eq a => Topic -> String -> String -> [(a, String, String)] -> String -> (FilePath -> a, a -> Maybe FilePath) -> String -> Part Scene a -> Field
-choiceOrFile topic path what choices file (fromFile, toFile) doc part =
+choiceOrFile ::
+  Eq a =>
+  Topic ->
+  String ->
+  String ->
+  [(a, String, String)] ->
+  String ->
+  (FilePath -> a, a -> Maybe FilePath) ->
+  FieldOf a
+choiceOrFile topic path what choices file (fromFile, toFile) part doc =
   chosen
     { fieldKind = ChoiceOrFileKind what [(name, meaning) | (_, name, meaning) <- choices] file,
-      fieldGet = \scene -> maybe (fieldGet chosen scene) (Just . FileValue) (partOf part scene >>= toFile),
+      fieldGet =
+        \scene -> maybe (fieldGet chosen scene) (Just . FileValue) (partOf part scene >>= toFile),
       fieldSet = \value -> case value of
         FileValue name -> partSet part (fromFile name)
         _ -> fieldSet chosen value
     }
   where
-    chosen = choice topic path what choices doc part
+    chosen = choice topic path what choices part doc
 
--- | @vector topic path doc part@: three finite numbers.
-vector :: Topic -> String -> String -> Part Scene XYZ -> Field
+-- | @vector topic path@: three finite numbers.
+vector :: Topic -> String -> FieldOf XYZ
 vector = field VectorKind VectorValue fromValue
   where
     fromValue (VectorValue v) = Just v
     fromValue _ = Nothing
 
-field :: Kind -> (a -> Value) -> (Value -> Maybe a) -> Topic -> String -> String -> Part Scene a -> Field
-field kind toValue fromValue topic path doc part =
+field :: Kind -> (a -> Value) -> (Value -> Maybe a) -> Topic -> String -> FieldOf a
+field kind toValue fromValue topic path part doc =
   Field
     { fieldPath = path,
       fieldTopic = topic,

@@ -79,7 +79,9 @@ readValue kind text = maybe (Left (expectation kind text)) Right $ case kind of
     if abs n < 10 ^ (18 :: Int) then Just (WholeValue (fromInteger n)) else Nothing
   SeedKind -> do
     n <- readWhole text
-    if n >= 0 && n <= toInteger (maxBound :: Word64) then Just (SeedValue (fromInteger n)) else Nothing
+    if n >= 0 && n <= toInteger (maxBound :: Word64)
+      then Just (SeedValue (fromInteger n))
+      else Nothing
   SwitchKind -> SwitchValue <$> lookup lower switches
   ChoiceKind _ choices | lower `elem` map fst choices -> Just (NameValue lower)
   ChoiceKind _ _ -> Nothing
@@ -90,7 +92,8 @@ readValue kind text = maybe (Left (expectation kind text)) Right $ case kind of
   VectorKind -> VectorValue <$> readVector text
   where
     lower = map toLower text
-    switches = [("on", True), ("off", False), ("true", True), ("false", False), ("yes", True), ("no", False)]
+    switches =
+      [("on", True), ("off", False), ("true", True), ("false", False), ("yes", True), ("no", False)]
 
 -- | Whether a text that is not one of the choices is taken for a file name. It must
 -- contain a slash or a period, so that a misspelt choice is not, and consist of at
@@ -106,9 +109,12 @@ expectation kind text = case kind of
   SeedKind -> "a whole number from 0 to " ++ show (maxBound :: Word64)
   SwitchKind -> "on or off"
   ChoiceKind what choices ->
-    what ++ suggestion text (map fst choices) ++ "; the choices are: " ++ intercalate ", " (map fst choices)
+    what ++ suggestion text (map fst choices) ++ "; the choices are: "
+      ++ intercalate ", " (map fst choices)
   ChoiceOrFileKind what choices file ->
-    what ++ suggestion text (map fst choices) ++ "; the choices are: " ++ intercalate ", " (map fst choices) ++ ", or "
+    what ++ suggestion text (map fst choices) ++ "; the choices are: "
+      ++ intercalate ", " (map fst choices)
+      ++ ", or "
       ++ file
       ++ " (a name with an extension or a folder, such as ./sky)"
   VectorKind -> "X,Y,Z: three numbers separated by commas"
@@ -130,7 +136,8 @@ rangeFault kind value = case (kind, value) of
   (NumberKind quantity, NumberValue v)
     | isNaN v || isInfinite v || not (within quantity v) -> Just (quantityText quantity)
   (WholeKind low high unit, WholeValue n)
-    | n < low || n > high -> Just ("a whole number from " ++ show low ++ " to " ++ show high ++ inBrackets unit)
+    | n < low || n > high ->
+      Just ("a whole number from " ++ show low ++ " to " ++ show high ++ inBrackets unit)
   (VectorKind, VectorValue v)
     | not (XYZ.isFinite v) -> Just "X,Y,Z: three finite numbers"
   _ -> Nothing

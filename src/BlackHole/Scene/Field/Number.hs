@@ -30,7 +30,8 @@ readNumber s = case dropPlus s of
       "infinity" -> Just (1 / 0)
       lower | decimal lower -> readMaybe (completed lower)
       _ -> Nothing
-    decimal t = length t <= 400 && all (`elem` "0123456789.e+-") t && length (dropWhile (/= 'e') t) <= 6
+    decimal t =
+      length t <= 400 && all (`elem` "0123456789.e+-") t && length (dropWhile (/= 'e') t) <= 6
     -- Haskell's own grammar wants digits on both sides of the point.
     completed t = case span isDigit t of
       (whole, '.' : rest) ->

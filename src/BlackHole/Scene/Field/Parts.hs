@@ -33,13 +33,31 @@ module BlackHole.Scene.Field.Parts
 where
 
 import BlackHole.Numeric.Angle
-import BlackHole.Scene.Camera (Camera (cameraFieldOfView, cameraPose), Picture (..), Pose (..), Projection (..), posePosition, projectionFieldOfView, projectionHeight)
+import BlackHole.Scene.Camera
+  ( Camera (cameraFieldOfView, cameraPose),
+    Picture (..),
+    Pose (..),
+    Projection (..),
+    posePosition,
+    projectionFieldOfView,
+    projectionHeight,
+  )
 import BlackHole.Scene.Disk (DiskColour (..), defaultDisk)
 import qualified BlackHole.Scene.Disk as Gas
-import BlackHole.Scene.Field.Field
+import BlackHole.Scene.Field.Part
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Shifts (Shifts (..))
-import BlackHole.Scene.Sky (Panorama (..), PointStars (..), RealSky (..), Sky (..), Stars (..), defaultPointStars, defaultStars, panoramaOf, realSky)
+import BlackHole.Scene.Sky
+  ( Panorama (..),
+    PointStars (..),
+    RealSky (..),
+    Sky (..),
+    Stars (..),
+    defaultPointStars,
+    defaultStars,
+    panoramaOf,
+    realSky,
+  )
 import BlackHole.Spacetime.Kerr.Landmarks
 import BlackHole.Spacetime.Types (Spacetime (..), spacetimeIsco)
 import BlackHole.Vector.XYZ (XYZ (..))
@@ -58,7 +76,10 @@ widthPart = part (pictureWidth . scenePicture) $ \w s ->
         | w > 0 = projectionHeight (sceneProjection s) w
         | otherwise = pictureHeight (scenePicture s)
    in s {scenePicture = Picture w height}
-heightPart = part (pictureHeight . scenePicture) (\h s -> s {scenePicture = (scenePicture s) {pictureHeight = h}})
+heightPart =
+  part
+    (pictureHeight . scenePicture)
+    (\h s -> s {scenePicture = (scenePicture s) {pictureHeight = h}})
 
 -- | The projection. Choosing another one sets the field of view, the height and the bloom
 -- that go with it.
@@ -79,7 +100,11 @@ projectionPart = part sceneProjection $ \projection s ->
 -- setting, which comes later.
 aperturePart :: Part Scene Double
 aperturePart = part sceneAperture $ \v s ->
-  s {sceneAperture = v, sceneFocus = if v > 0 then XYZ.norm (posePosition (cameraPose (sceneCamera s))) else sceneFocus s}
+  s
+    { sceneAperture = v,
+      sceneFocus =
+        if v > 0 then XYZ.norm (posePosition (cameraPose (sceneCamera s))) else sceneFocus s
+    }
 
 -- | A part of the camera.
 camera :: Part Camera a -> Part Scene a
@@ -92,7 +117,10 @@ distancePart = around (\r _ _ -> r) (\r (_, i, a) -> Around r i a)
 inclinationPart = around (\_ i _ -> inDegrees i) (\i (r, _, a) -> Around r (Degrees i) a)
 azimuthPart = around (\_ _ a -> inDegrees a) (\a (r, i, _) -> Around r i (Degrees a))
 
-around :: (Double -> Degrees -> Degrees -> Double) -> (Double -> (Double, Degrees, Degrees) -> Pose) -> Part Scene Double
+around ::
+  (Double -> Degrees -> Degrees -> Double) ->
+  (Double -> (Double, Degrees, Degrees) -> Pose) ->
+  Part Scene Double
 around get put =
   camera . pose $
     Part
@@ -142,7 +170,8 @@ spinPart = Part (spinOf . sceneSpacetime) $ \v s -> case (sceneSpacetime s, spin
   (before, Just hole) ->
     let after = if v == 0 then Schwarzschild else Kerr hole
         follow d
-          | abs (Gas.diskInnerRadius d - spacetimeIsco before) < 1e-9 = d {Gas.diskInnerRadius = spacetimeIsco after}
+          | abs (Gas.diskInnerRadius d - spacetimeIsco before) < 1e-9 =
+            d {Gas.diskInnerRadius = spacetimeIsco after}
           | otherwise = d
      in s {sceneSpacetime = after, sceneDisk = follow <$> sceneDisk s}
   where
@@ -168,7 +197,12 @@ data ColourKind = RampGlow | BlackBodyGlow | BolometricGlow | SynchrotronGlow
 
 -- | The kind of the disk's colours.
 glowPart :: Part Scene ColourKind
-glowPart = disk (part (glowOf . Gas.diskColour) (\glow d -> d {Gas.diskColour = colourOf glow (Gas.diskColour d)}))
+glowPart =
+  disk
+    ( part
+        (glowOf . Gas.diskColour)
+        (\glow d -> d {Gas.diskColour = colourOf glow (Gas.diskColour d)})
+    )
   where
     glowOf HueRamp = RampGlow
     glowOf (BlackBody _) = BlackBodyGlow
@@ -182,13 +216,21 @@ glowPart = disk (part (glowOf . Gas.diskColour) (\glow d -> d {Gas.diskColour = 
 
 -- | The temperature in kelvin of a disk that glows as a black body.
 temperaturePart :: Part Scene Double
-temperaturePart = disk (Part (temperature . Gas.diskColour) (\v d -> d {Gas.diskColour = BlackBody v}))
+temperaturePart =
+  disk (Part (temperature . Gas.diskColour) (\v d -> d {Gas.diskColour = BlackBody v}))
   where
     temperature (BlackBody t) = Just t
     temperature _ = Nothing
 
 -- | 'Sky' without its parameters.
-data SkyKind = NoiseSky | StarSky | RandomStarSky | PanoramaSky !FilePath | GridSky | UniformSky | NoSky
+data SkyKind
+  = NoiseSky
+  | StarSky
+  | RandomStarSky
+  | PanoramaSky !FilePath
+  | GridSky
+  | UniformSky
+  | NoSky
   deriving (Eq)
 
 -- | The kind of the sky. Choosing the present kind, or another file, keeps the other
@@ -266,10 +308,11 @@ rotationPart = Part (rotation . sceneSky) $ \v s -> case sceneSky s of
 -- | A part of the random stars. Setting one makes the real stars random, which some
 -- presets show instead of random ones in scenes of earlier versions.
 pointStars :: Part PointStars a -> Part Scene a
-pointStars (Part get set) = Part (\scene -> random (sceneSky scene) >>= get) $ \v scene -> case sceneSky scene of
-  SkyRandomStars points -> scene {sceneSky = SkyRandomStars (set v points)}
-  SkyStars _ -> scene {sceneSky = SkyRandomStars (set v defaultPointStars)}
-  _ -> scene
+pointStars (Part get set) =
+  Part (\scene -> random (sceneSky scene) >>= get) $ \v scene -> case sceneSky scene of
+    SkyRandomStars points -> scene {sceneSky = SkyRandomStars (set v points)}
+    SkyStars _ -> scene {sceneSky = SkyRandomStars (set v defaultPointStars)}
+    _ -> scene
   where
     random (SkyRandomStars v) = Just v
     random _ = Nothing

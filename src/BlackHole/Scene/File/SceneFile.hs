@@ -64,11 +64,18 @@ readSettings :: [String] -> Node -> (SceneFile, [(Int, Problem)])
 readSettings sections root = (SceneFile preset settings former, problems)
   where
     (found, problems) = level sections [] root
-    settings = [PlacedSetting line (Setting (currentPath path) (current path value)) | (line, path, value) <- found, path /= presetKey]
-    former = [FormerName line path (currentPath path) | (line, path, _) <- found, currentPath path /= path]
+    settings =
+      [ PlacedSetting line (Setting (currentPath path) (current path value))
+        | (line, path, value) <- found,
+          path /= presetKey
+      ]
+    former =
+      [FormerName line path (currentPath path) | (line, path, _) <- found, currentPath path /= path]
     -- Before there were real stars, these were the random ones.
     current path value
-      | path == "sky.kind" && value == NameValue "stars" && any (\(_, other, _) -> "sky.points." `isPrefixOf` other) found = NameValue "random-stars"
+      | path == "sky.kind" && value == NameValue "stars"
+          && any (\(_, other, _) -> "sky.points." `isPrefixOf` other) found =
+        NameValue "random-stars"
       | otherwise = value
     preset = case [name | (_, path, NameValue name) <- found, path == presetKey] of
       name : _ -> name
@@ -92,16 +99,27 @@ level sections above node = case node of
     | length (take 501 members) > 500 ->
       wrong line (Mistake (pathOr "scene" above) "a group of settings can have at most 500 keys")
   Mapping _ members -> foldMap (member members) (zip [0 :: Int ..] members)
-  _ -> ([], [(nodeLine node, Problem (pathOr "scene" above) (nodeText node) ("a group of settings; the settings here are: " ++ intercalate ", " children))])
+  _ ->
+    ( [],
+      [ ( nodeLine node,
+          Problem
+            (pathOr "scene" above)
+            (nodeText node)
+            ("a group of settings; the settings here are: " ++ intercalate ", " children)
+        )
+      ]
+    )
   where
     children = childrenOf above
     member members (i, (line, key, value))
       | null above && key `elem` sections = mempty
       | (first, _, _) : _ <- [m | (j, m@(_, k, _)) <- zip [0 ..] members, k == key, j < i] =
         wrong line (Mistake path ("given twice; the first one is in line " ++ show first))
-      | null above && key == presetKey = leaf line (ChoiceKind "a preset" [(n, "") | n <- presetNames]) value
+      | null above && key == presetKey =
+        leaf line (ChoiceKind "a preset" [(n, "") | n <- presetNames]) value
       | Just f <- findField (currentPath path) = leaf line (fieldKind f) value
-      | key `elem` children || any (((path ++ ".") `isPrefixOf`) . fst) formerPaths = level [] (key : above) value
+      | key `elem` children || any (((path ++ ".") `isPrefixOf`) . fst) formerPaths =
+        level [] (key : above) value
       | otherwise = wrong line (Problem path ("'" ++ shorten key ++ "'") (unknown key))
       where
         path = pathOf (shorten key : above)
@@ -117,7 +135,10 @@ level sections above node = case node of
       (Just name, _) -> " (did you mean " ++ name ++ "?)"
       (Nothing, path : _) -> " (did you mean " ++ path ++ "?)"
       _ -> if null children then "" else "; the settings here are: " ++ intercalate ", " children
-    elsewhere key = [fieldPath f | f <- sceneFields, ('.' : key) `isSuffixOf` fieldPath f || optionName' f == Just key]
+    elsewhere key =
+      [ fieldPath f | f <- sceneFields, ('.' : key) `isSuffixOf` fieldPath f
+                                          || optionName' f == Just key
+      ]
     optionName' f = drop 2 . optionName <$> fieldOption f
 
 pathOf :: [String] -> String
@@ -128,9 +149,12 @@ pathOr whole' above = if null above then whole' else pathOf above
 
 -- | The keys that are allowed below a path.
 childrenOf :: [String] -> [String]
-childrenOf above = (if null above then presetKey : otherSections else []) ++ nub (mapMaybe (fmap (takeWhile (/= '.')) . below) sceneFields)
+childrenOf above =
+  (if null above then presetKey : otherSections else [])
+    ++ nub (mapMaybe (fmap (takeWhile (/= '.')) . below) sceneFields)
   where
-    below f = if null above then Just (fieldPath f) else stripPrefix (pathOf above ++ ".") (fieldPath f)
+    below f =
+      if null above then Just (fieldPath f) else stripPrefix (pathOf above ++ ".") (fieldPath f)
 
 -- | The value of a node of a kind, or what it should have been, as a noun phrase.
 readNode :: Kind -> Node -> Either String Value
@@ -185,7 +209,9 @@ printScene heading scene = unlines (map ("# " ++) heading ++ go [] entries)
           deep = indent (length groups)
        in ["" | shared == 0]
             ++ opened
-            ++ [deep ++ "# " ++ fieldDoc f, deep ++ foldr const "" (reverse parts) ++ ": " ++ yamlValue value]
+            ++ [ deep ++ "# " ++ fieldDoc f,
+                 deep ++ foldr const "" (reverse parts) ++ ": " ++ yamlValue value
+               ]
             ++ go groups rest
     indent depth = replicate (2 * depth) ' '
 

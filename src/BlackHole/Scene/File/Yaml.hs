@@ -2,6 +2,9 @@
 --
 -- The reader accepts only as much of YAML as a scene needs (no aliases, limited depth),
 -- so that no file can keep it busy for long.
+--
+-- Written by hand on libyaml's events because the values that the yaml package makes of
+-- them have lost the lines, which error messages name, and the repeated keys.
 module BlackHole.Scene.File.Yaml
   ( Node (..),
     nodeLine,
@@ -89,7 +92,8 @@ document = do
         Just marked
           | EventDocumentEnd <- yamlEvent marked -> ending root
           | EventDocumentStart <- yamlEvent marked ->
-            pure (Left (YamlFault (lineOf marked) "a second document begins; a scene file holds one"))
+            pure
+              (Left (YamlFault (lineOf marked) "a second document begins; a scene file holds one"))
         _ -> pure (Right (Just root))
 
 -- | Deeper than any scene needs, but shallow enough to cost neither time nor memory.
@@ -111,7 +115,11 @@ node depth (Just marked) = case yamlEvent marked of
   where
     line = lineOf marked
     deep = depth >= maximumDepth
-    tooDeep = pure (Left (YamlFault line ("more than " ++ show maximumDepth ++ " levels, one inside the other")))
+    tooDeep =
+      pure
+        ( Left
+            (YamlFault line ("more than " ++ show maximumDepth ++ " levels, one inside the other"))
+        )
     plain tag style = style `elem` [Plain, PlainNoTag] && tag == NoTag
     items done = do
       event <- await
@@ -127,7 +135,8 @@ node depth (Just marked) = case yamlEvent marked of
           value <- either (pure . Left) (const (await >>= node (depth + 1))) key
           case (key, value) of
             (Right (Scalar place _ name), Right v) -> members ((place, name, v) : done)
-            (Right other, Right _) -> pure (Left (YamlFault (nodeLine other) "a key that is no name"))
+            (Right other, Right _) ->
+              pure (Left (YamlFault (nodeLine other) "a key that is no name"))
             (Left fault, _) -> pure (Left fault)
             (_, Left fault) -> pure (Left fault)
 

@@ -1,7 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | Light paths along exact orbits ("BlackHole.Spacetime.Schwarzschild.Orbit"), or along straight lines
--- without gravity.
+-- | Light paths along exact orbits ("BlackHole.Spacetime.Schwarzschild.Orbit"), or along
+-- straight lines without gravity.
 --
 -- Every point, the direction of escape and the fate come from the closed form. The step
 -- length only decides where the gas is sampled.
@@ -67,7 +67,8 @@ followOrbit region photon gather
       where
         here = inSpace plane (XY (cos angle / u) (sin angle / u))
         speed = sqrt (slope * slope + u * u)
-        XYZ _ climbing _ = inSpace plane (XY (cos angle * slope + sin angle * u) (sin angle * slope - cos angle * u))
+        XYZ _ climbing _ =
+          inSpace plane (XY (cos angle * slope + sin angle * u) (sin angle * slope - cos angle * u))
         wanted = marchLength region here (climbing / speed) * u * u / speed
         -- The last segment of a captured path ends at the horizon. The last segment of
         -- an escaping path is far outside the region.

@@ -38,5 +38,6 @@ infallTime start end = (start * sqrt start - end * sqrt end) / 1.5
 -- sphere, where no such orbit exists.
 orbitalPhase :: Double -> Double -> Maybe Double
 orbitalPhase r time
-  | r > photonSphereRadius = Just (time * sqrt (1 / (2 * r * r * r)) / sqrt (1 - photonSphereRadius / r))
+  | r > photonSphereRadius =
+    Just (time * sqrt (1 / (2 * r * r * r)) / sqrt (1 - photonSphereRadius / r))
   | otherwise = Nothing

@@ -54,7 +54,8 @@ steepest layer u = layerHeight layer * u + layerFlare layer
 -- | How much longer a segment may be at this inverse radius and sine of the latitude than
 -- in the core: far from the plane the gas varies slowly.
 growthAt :: GasLayer -> Double -> Double -> Double
-growthAt layer u sineLatitude = max 1 (min (layerCore layer) (abs sineLatitude * layerCore layer / steepest layer u))
+growthAt layer u sineLatitude =
+  max 1 (min (layerCore layer) (abs sineLatitude * layerCore layer / steepest layer u))
 {-# INLINE growthAt #-}
 
 -- | The number of segments per radian for which neither the length of a segment exceeds
@@ -64,7 +65,9 @@ segmentsPerRadian :: GasLayer -> Double -> Double -> Double -> Double -> Double
 segmentsPerRadian layer u slope sineLatitude climbing =
   max
     (sqrt (slope * slope + u * u) / (layerLongest layer * u))
-    (abs (climbing * room - sineLatitude * layerHeight layer * slope) / (layerVertical layer * room * room))
+    ( abs (climbing * room - sineLatitude * layerHeight layer * slope)
+        / (layerVertical layer * room * room)
+    )
   where
     room = steepest layer u
 {-# INLINE segmentsPerRadian #-}
@@ -85,14 +88,16 @@ reachOfCrossing layer tilt widest path offset
   | v + reachable < layerOuter layer || v - reachable > layerInner layer = NoReach
   -- The ends follow from the radius found there where the gas's height depends on the
   -- radius, unless it varies so much in between that one evaluation proves nothing.
-  | layerHeight layer <= 0 || widest > 0.2 || layerHeight layer * abs slope > 0.25 * tilt = Reach widest widest
+  | layerHeight layer <= 0 || widest > 0.2 || layerHeight layer * abs slope > 0.25 * tilt =
+    Reach widest widest
   | otherwise = Reach (refined (negate half)) (refined half)
   where
     !v = expansionValue path offset
     !slope = expansionSlope path offset
     !reachable = 1.5 * abs slope * widest
     half = min widest (arcSine (steepest layer v / tilt))
-    refined side = min widest (arcSine (steepest layer (max 0 (expansionValue path (offset + side))) / tilt))
+    refined side =
+      min widest (arcSine (steepest layer (max 0 (expansionValue path (offset + side))) / tilt))
 {-# INLINE reachOfCrossing #-}
 
 -- | The part of a cell in which the path can be in the gas.
@@ -130,13 +135,16 @@ partOfCell layer path latitude0 climb0 t0 t1
     missed = u0 < uOuter && slope0 > 0 && expansionValue path begin < 0.98 * uOuter
     -- Whether the path is above or below the gas all the time. The series of the latitude
     -- is accurate to a few thousandths.
-    far = abs (latitude t0) `min` abs (latitude t1) > steepest layer highest + 0.003 && latitude t0 * latitude t1 > 0
+    far =
+      abs (latitude t0) `min` abs (latitude t1) > steepest layer highest + 0.003
+        && latitude t0 * latitude t1 > 0
     latitude t = latitude0 + t * (climb0 - 0.5 * t * latitude0)
     climb t = climb0 - t * latitude0
     -- The length of a step varies little within a cell. Computing it for each step would
     -- make each step wait for the previous one.
     turn = 2 / (rate begin + rate final)
-    rate t = segmentsPerRadian layer (expansionValue path t) (expansionSlope path t) (latitude t) (climb t)
+    rate t =
+      segmentsPerRadian layer (expansionValue path t) (expansionSlope path t) (latitude t) (climb t)
     -- The curve is concave there, so Newton's steps never overshoot.
     reaching t = step (step (step t))
     step x = x + (uOuter - expansionValue path x) / expansionSlope path x

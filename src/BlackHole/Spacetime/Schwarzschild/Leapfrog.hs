@@ -11,9 +11,7 @@
 -- | Light followed step by step ("BlackHole.Spacetime.Schwarzschild.LeapfrogStep"), one
 -- photon at a time or three.
 module BlackHole.Spacetime.Schwarzschild.Leapfrog
-  ( Leapfrog (..),
-    defaultLeapfrog,
-    followLeapfrog,
+  ( followLeapfrog,
     followThree,
   )
 where
@@ -24,31 +22,11 @@ import BlackHole.Spacetime.March (enclosingRadius)
 import BlackHole.Spacetime.Momentum
 import BlackHole.Spacetime.PathPlane
 import BlackHole.Spacetime.Photon
-import BlackHole.Spacetime.Schwarzschild.LeapfrogStep
+import BlackHole.Spacetime.Schwarzschild.StepRule
 import BlackHole.Spacetime.Types (Spacetime, pullOfGravity)
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
 import qualified BlackHole.Vector.XYZ as XYZ
-
--- | The parameters of the integration.
-data Leapfrog = Leapfrog
-  { leapfrogSteps :: !StepRule,
-    -- | Radius of the celestial sphere, beyond which gravity no longer matters.
-    leapfrogSkyRadius :: !Double,
-    -- | Number of steps after which a path is given up.
-    leapfrogStepLimit :: !Int
-  }
-  deriving (Eq, Show)
-
--- | The report's steps, its celestial sphere at 2000 Schwarzschild radii, and a limit
--- that only paths trapped at the photon sphere reach.
-defaultLeapfrog :: Leapfrog
-defaultLeapfrog =
-  Leapfrog
-    { leapfrogSteps = reportStepRule,
-      leapfrogSkyRadius = 2000,
-      leapfrogStepLimit = 200000
-    }
 
 -- | Follows a photon of unit energy ('withUnitEnergy') step by step until it is
 -- captured (moving inward at @r ≤ 1@), escapes (moving outward beyond the celestial
@@ -73,6 +51,9 @@ followLeapfrog leapfrog spacetime region photon gather =
 -- While one path waits, the processor works on the others. As soon as one path ends,
 -- the others continue alone, which costs little because neighbouring paths end at about
 -- the same time.
+--
+-- The function is long because its loop keeps all of its state in registers, with each
+-- number of each path by name.
 followThree ::
   Leapfrog ->
   Spacetime ->
@@ -82,9 +63,13 @@ followThree ::
   (Photon, a -> PathSegment -> Continue a) ->
   a ->
   (Followed a, Followed a, Followed a)
-followThree leapfrog@(Leapfrog rule skyRadius limit) spacetime region (photon0, gather0) (photon1, gather1) (photon2, gather2) beginning =
+followThree leapfrog spacetime region first second third beginning =
   withStepLength rule $ \lengthAt -> begin lengthAt
   where
+    !(Leapfrog rule skyRadius limit) = leapfrog
+    !(photon0, gather0) = first
+    !(photon1, gather1) = second
+    !(photon2, gather2) = third
     InPlane a00 b00 u00 v00 = startInPlane photon0
     InPlane a10 b10 u10 v10 = startInPlane photon1
     InPlane a20 b20 u20 v20 = startInPlane photon2
@@ -94,10 +79,12 @@ followThree leapfrog@(Leapfrog rule skyRadius limit) spacetime region (photon0, 
     !sky2 = skyRadius * skyRadius
     -- Above this height, half a step does not reach the gas.
     !clear = tallestHeight region + longestNearGas rule region
-    begin lengthAt = loop 0 a00 b00 u00 v00 a10 b10 u10 v10 a20 b20 u20 v20 beginning beginning beginning
+    begin lengthAt =
+      loop 0 a00 b00 u00 v00 a10 b10 u10 v10 a20 b20 u20 v20 beginning beginning beginning
       where
         loop !n !a0 !b0 !u0 !v0 !a1 !b1 !u1 !v1 !a2 !b2 !u2 !v2 s0 s1 s2
-          | r0 <= 1 || r1 <= 1 || r2 <= 1 || r0 > sky2 || r1 > sky2 || r2 > sky2 || n >= limit = apart
+          | r0 <= 1 || r1 <= 1 || r2 <= 1 || r0 > sky2 || r1 > sky2 || r2 > sky2 || n >= limit =
+            apart
           | abs h0 > clear && abs h1 > clear && abs h2 > clear = onward s0 s1 s2
           | otherwise = case meet plane0 gather0 dt0 start0 middle0 after0 s0 of
             Stop _ -> apart
@@ -178,9 +165,16 @@ data Plane
       {-# UNPACK #-} !Double
 
 orbitalPlane :: Spacetime -> Photon -> Plane
-orbitalPlane spacetime photon = Plane e1 e2 height1 height2 (negate (pullOfGravity spacetime * XYZ.normSquared (angularMomentum photon)))
+orbitalPlane spacetime photon =
+  Plane
+    e1
+    e2
+    height1
+    height2
+    (negate (pullOfGravity spacetime * XYZ.normSquared (angularMomentum photon)))
   where
-    Launch (PathPlane e1@(XYZ _ height1 _) e2@(XYZ _ height2 _)) _ _ = launch (XYZ.norm (photonPosition photon)) photon
+    Launch (PathPlane e1@(XYZ _ height1 _) e2@(XYZ _ height2 _)) _ _ =
+      launch (XYZ.norm (photonPosition photon)) photon
 
 placeInSpace :: Plane -> XY -> XYZ
 placeInSpace (Plane e1 e2 _ _ _) (XY a b) = a *^ e1 ^+^ b *^ e2
@@ -201,21 +195,27 @@ startInPlane photon = InPlane r 0 radial tangential
     Launch _ radial tangential = launch r photon
 
 segmentInPlane :: Plane -> Double -> XYZ -> InPlane -> XY -> XY -> PathSegment
-segmentInPlane (Plane (XYZ x1 _ z1) (XYZ x2 _ z2) heightA heightB _) dt place (InPlane _ _ u0 v0) (XY a b) (XY u1 v1) =
-  PathSegment
-    { segmentMiddle = place,
-      segmentRadius = r,
-      segmentAffineLength = dt,
-      segmentLength = dt * sqrt (u * u + v * v),
-      segmentRadialStep = dt * radial / r,
-      segmentVerticalStep = dt * (heightA * u + heightB * v),
-      segmentMomentum = Momentum (negate radial / (r - 1)) ((a * v - b * u) * (x1 * z2 - z1 * x2))
-    }
-  where
-    u = 0.5 * (u0 + u1)
-    v = 0.5 * (v0 + v1)
-    r = sqrt (a * a + b * b)
-    radial = a * u + b * v
+segmentInPlane
+  (Plane (XYZ x1 _ z1) (XYZ x2 _ z2) heightA heightB _)
+  dt
+  place
+  (InPlane _ _ u0 v0)
+  (XY a b)
+  (XY u1 v1) =
+    PathSegment
+      { segmentMiddle = place,
+        segmentRadius = r,
+        segmentAffineLength = dt,
+        segmentLength = dt * sqrt (u * u + v * v),
+        segmentRadialStep = dt * radial / r,
+        segmentVerticalStep = dt * (heightA * u + heightB * v),
+        segmentMomentum = Momentum (negate radial / (r - 1)) ((a * v - b * u) * (x1 * z2 - z1 * x2))
+      }
+    where
+      u = 0.5 * (u0 + u1)
+      v = 0.5 * (v0 + v1)
+      r = sqrt (a * a + b * b)
+      radial = a * u + b * v
 {-# INLINE segmentInPlane #-}
 
 -- | The pseudo-time of a step, from the rule, the squared distance to the hole, the
@@ -258,36 +258,45 @@ followAlone ::
   InPlane ->
   a ->
   Followed a
-followAlone (Leapfrog rule skyRadius limit) region plane@(Plane _ _ heightA heightB pull) gather first (InPlane a0 b0 u0 v0) state0 =
-  withStepLength rule $ \lengthAt -> begin lengthAt
-  where
-    !sky2 = skyRadius * skyRadius
-    !tallest = tallestHeight region
-    begin lengthAt = go first a0 b0 u0 v0 state0
-      where
-        go !n !a !b !u !v !state
-          | r2 <= 1 && a * u + b * v < 0 = Followed Captured state n
-          | r2 > sky2 && a * u + b * v > 0 = escaped
-          | n >= limit = Followed StepLimit state n
-          | abs y <= tallest && insideRegion region place =
-            case gather state (segmentInPlane plane dt place (InPlane a b u v) (XY ma mb) (XY u' v')) of
-              Continue state' -> go (n + 1) a' b' u' v' state'
-              Stop state' -> Followed Opaque state' (n + 1)
-          | otherwise = go (n + 1) a' b' u' v' state
-          where
-            !r2 = a * a + b * b
-            !dt = stepTime lengthAt r2 (heightA * a + heightB * b) u v
-            !ma = a + 0.5 * dt * u
-            !mb = b + 0.5 * dt * v
-            !kick = kickAt pull dt ma mb
-            !u' = u + kick * ma
-            !v' = v + kick * mb
-            !a' = ma + 0.5 * dt * u'
-            !b' = mb + 0.5 * dt * v'
-            !y = heightA * ma + heightB * mb
-            place = placeInSpace plane (XY ma mb)
-            escaped = case XYZ.normalize (placeInSpace plane (XY u v)) of
-              Just direction -> Followed (Escaped direction) state n
-              -- Reached only by a photon that never had a direction.
-              Nothing -> Followed StepLimit state n
-    {-# INLINE begin #-}
+followAlone
+  (Leapfrog rule skyRadius limit)
+  region
+  plane@(Plane _ _ heightA heightB pull)
+  gather
+  first
+  (InPlane a0 b0 u0 v0)
+  state0 =
+    withStepLength rule $ \lengthAt -> begin lengthAt
+    where
+      !sky2 = skyRadius * skyRadius
+      !tallest = tallestHeight region
+      begin lengthAt = go first a0 b0 u0 v0 state0
+        where
+          go !n !a !b !u !v !state
+            | r2 <= 1 && a * u + b * v < 0 = Followed Captured state n
+            | r2 > sky2 && a * u + b * v > 0 = escaped
+            | n >= limit = Followed StepLimit state n
+            | abs y <= tallest && insideRegion region place =
+              case gather
+                state
+                (segmentInPlane plane dt place (InPlane a b u v) (XY ma mb) (XY u' v')) of
+                Continue state' -> go (n + 1) a' b' u' v' state'
+                Stop state' -> Followed Opaque state' (n + 1)
+            | otherwise = go (n + 1) a' b' u' v' state
+            where
+              !r2 = a * a + b * b
+              !dt = stepTime lengthAt r2 (heightA * a + heightB * b) u v
+              !ma = a + 0.5 * dt * u
+              !mb = b + 0.5 * dt * v
+              !kick = kickAt pull dt ma mb
+              !u' = u + kick * ma
+              !v' = v + kick * mb
+              !a' = ma + 0.5 * dt * u'
+              !b' = mb + 0.5 * dt * v'
+              !y = heightA * ma + heightB * mb
+              place = placeInSpace plane (XY ma mb)
+              escaped = case XYZ.normalize (placeInSpace plane (XY u v)) of
+                Just direction -> Followed (Escaped direction) state n
+                -- Reached only by a photon that never had a direction.
+                Nothing -> Followed StepLimit state n
+      {-# INLINE begin #-}

@@ -35,7 +35,8 @@ lensChanges table photon direction (Photon _ velocity1) (Photon _ velocity2) =
           -- Along the path's own turning, and out of its plane.
           !inPlane = XYZ.dot direction e1 *^ e2 ^-^ sine *^ e1
           towards v
-            | tangential' > 0 = Just (turning *^ inPlane ^+^ (sine * XYZ.dot v e3 / tangential') *^ e3)
+            | tangential' > 0 =
+              Just (turning *^ inPlane ^+^ (sine * XYZ.dot v e3 / tangential') *^ e3)
             | otherwise = Nothing
             where
               !radial' = XYZ.dot v e1

@@ -4,9 +4,10 @@
 --
 -- Schwarzschild space is spherically symmetric, so all paths that end at one camera are
 -- rotations of a family with one parameter: the angle ψ between the line of sight and
--- the outward radius. The table holds the closed form ("BlackHole.Spacetime.Schwarzschild.Orbit") for
--- about 3000 members: the swept angle, the direction at infinity, and @u@ at waypoints
--- in between. The other members are interpolated.
+-- the outward radius. The table holds the closed form
+-- ("BlackHole.Spacetime.Schwarzschild.Orbit") for about 3000 members: the swept angle, the
+-- direction at infinity, and @u@ at waypoints in between. The other members are
+-- interpolated.
 --
 -- /The parameter/ is that of "BlackHole.Spacetime.Schwarzschild.LensFamily".
 --
@@ -116,7 +117,8 @@ block family side octave = case side of
     step = nearest / fromIntegral segmentCount
     within range first by
       | nearest > range = Block first by 0
-      | otherwise = Block first by (max (cellsAt first) (cellsAt (first + by * fromIntegral segmentCount)))
+      | otherwise =
+        Block first by (max (cellsAt first) (cellsAt (first + by * fromIntegral segmentCount)))
     cellsAt w = let Member _ path = memberAt family w in seriesCells (orbitSeries path)
 
 -- | A path, with the sign of its tangential velocity.
@@ -212,7 +214,12 @@ data Weights
       {-# UNPACK #-} !Double
 
 weightsAt :: Double -> Weights
-weightsAt t = Weights ((1 + 2 * t) * (1 - t) * (1 - t)) (t * (1 - t) * (1 - t)) (t * t * (3 - 2 * t)) (t * t * (t - 1))
+weightsAt t =
+  Weights
+    ((1 + 2 * t) * (1 - t) * (1 - t))
+    (t * (1 - t) * (1 - t))
+    (t * t * (3 - 2 * t))
+    (t * t * (t - 1))
 {-# INLINE weightsAt #-}
 
 -- | The interpolated number at the index @k@ of the rows that start at two indices.
@@ -236,7 +243,11 @@ lensSeries table !radial !tangential = case find table radial tangential of
         end
           | falling = Captured
           | otherwise = Escaped (XY (at 1) (at 2))
-     in OrbitSeries end (max 0 (at 0)) cells (BetweenRows numbers (row + 2 * headSize) (row' + 2 * headSize) v0 d0 v1 d1)
+     in OrbitSeries
+          end
+          (max 0 (at 0))
+          cells
+          (BetweenRows numbers (row + 2 * headSize) (row' + 2 * headSize) v0 d0 v1 d1)
   where
     numbers = tableNumbers table
 {-# INLINE lensSeries #-}
@@ -271,7 +282,10 @@ lensSlope table radial tangential = case find table radial tangential of
      in -- The derivative of Hermite's interpolation, divided by the length of an
         -- interval: an octave is 2^-(octave + 1) long.
         Just $
-          negate (6 * t * (t - 1) * (at row - at row') + (1 - t) * (1 - 3 * t) * at (row + 1) + t * (3 * t - 2) * at (row' + 1))
+          negate
+            ( 6 * t * (t - 1) * (at row - at row') + (1 - t) * (1 - 3 * t) * at (row + 1)
+                + t * (3 * t - 2) * at (row' + 1)
+            )
             * fromIntegral (segmentCount * 2 `unsafeShiftL` octave)
   _ -> Nothing
 {-# INLINE lensSlope #-}
@@ -281,5 +295,6 @@ lensSlope table radial tangential = case find table radial tangential of
 -- it is about a quarter of the angle between the two directions, in radians. Positive
 -- if the photon comes from the horizon.
 lensOffset :: LensTable -> Double -> Double -> Double
-lensOffset (LensTable family _ _) radial tangential = parameterOf family radial tangential - familyCritical family
+lensOffset (LensTable family _ _) radial tangential =
+  parameterOf family radial tangential - familyCritical family
 {-# INLINE lensOffset #-}

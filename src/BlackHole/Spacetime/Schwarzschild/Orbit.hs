@@ -315,7 +315,9 @@ orbitInverseRadiusAndSlope o angle = case orbitPath o of
     -- Below b_c both terms are positive while u > −1/3, so there is no cancellation and
     -- no change of sign along the way.
     withSlope direction u =
-      strictPair u (direction * sqrt (max 0 ((u - 2 / 3) * (u - 2 / 3) * (u + 1 / 3) - orbitExcess o)))
+      strictPair
+        u
+        (direction * sqrt (max 0 ((u - 2 / 3) * (u - 2 / 3) * (u + 1 / 3) - orbitExcess o)))
     -- A lazy pair would keep the whole orbit alive in two thunks.
     strictPair !u !w = (u, w)
 

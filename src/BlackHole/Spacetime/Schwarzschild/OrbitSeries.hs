@@ -84,7 +84,8 @@ widestCell = 0.4
 
 -- | The path of an orbit in closed form.
 orbitSeries :: Orbit -> OrbitSeries
-orbitSeries path = OrbitSeries (orbitFate path) angle (max 2 (ceiling (angle / widestCell))) (OfOrbit path)
+orbitSeries path =
+  OrbitSeries (orbitFate path) angle (max 2 (ceiling (angle / widestCell))) (OfOrbit path)
   where
     angle
       | isInfinite (orbitSweep path) = 100
@@ -144,5 +145,8 @@ expansionValue (Expansion c0 c1 c2 c3 c4 c5 c6 c7 c8) t =
 -- | @du\/dφ@ at an angle from the waypoint.
 expansionSlope :: Expansion -> Double -> Double
 expansionSlope (Expansion _ c1 c2 c3 c4 c5 c6 c7 c8) t =
-  c1 + t * (2 * c2 + t * (3 * c3 + t * (4 * c4 + t * (5 * c5 + t * (6 * c6 + t * (7 * c7 + t * (8 * c8)))))))
+  c1 + t
+    * ( 2 * c2
+          + t * (3 * c3 + t * (4 * c4 + t * (5 * c5 + t * (6 * c6 + t * (7 * c7 + t * (8 * c8))))))
+      )
 {-# INLINE expansionSlope #-}

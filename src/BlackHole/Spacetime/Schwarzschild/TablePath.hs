@@ -5,7 +5,8 @@
 -- The plane of a path cuts the disk's plane every half turn, at swept angles that
 -- follow from the directions alone. Each of these crossings lies in an interval in
 -- which the path can be inside the gas; outside these intervals nothing needs to be
--- evaluated. Within an interval the path is a power series ("BlackHole.Spacetime.Schwarzschild.OrbitSeries").
+-- evaluated. Within an interval the path is a power series
+-- ("BlackHole.Spacetime.Schwarzschild.OrbitSeries").
 module BlackHole.Spacetime.Schwarzschild.TablePath
   ( followTable,
     tableFate,
@@ -54,7 +55,8 @@ followTable ::
 followTable space table region phase photon gather = start
   where
     !r0 = lensTableRadius table
-    !started@(Launch plane@(PathPlane e1@(XYZ x1 _ z1) e2@(XYZ x2 _ z2)) _ tangential) = launch r0 photon
+    !started@(Launch plane@(PathPlane e1@(XYZ x1 _ z1) e2@(XYZ x2 _ z2)) _ tangential) =
+      launch r0 photon
     !b = r0 * tangential
     !affinePerArea = 1 / b
     !lambda = b * (x1 * z2 - z1 * x2)
@@ -77,7 +79,10 @@ followTable space table region phase photon gather = start
       -- The path stays as close to the plane as the gas does.
       | steepestAll >= tilt = cells 0 phase 0 lastAngle (1 / 0) state
       -- A crossing before the start may reach to the start.
-      | otherwise = let first = firstCrossing plane in crossing 0 (if first - pi + widest < 0 then first else first - pi) state
+      | otherwise =
+        let first =
+              firstCrossing plane
+         in crossing 0 (if first - pi + widest < 0 then first else first - pi) state
 
     crossing !n !angle !state
       | angle - widest > lastAngle = end n state
@@ -87,7 +92,14 @@ followTable space table region phase photon gather = start
             !path = expand pull u slope
          in case reachOfCrossing layer tilt widest path (angle - middleOf cell) of
               NoReach -> crossing n (angle + pi) state
-              Reach before after -> cells n phase (max 0 (angle - before)) (min lastAngle (angle + after)) (angle + pi) state
+              Reach before after ->
+                cells
+                  n
+                  phase
+                  (max 0 (angle - before))
+                  (min lastAngle (angle + after))
+                  (angle + pi)
+                  state
 
     cellOf angle = max 0 (min (cellCount - 1) (truncate (angle / spacing)))
     middleOf cell = (fromIntegral cell + 0.5) * spacing
@@ -99,7 +111,10 @@ followTable space table region phase photon gather = start
         let !cell = cellOf from
             !middle = middleOf cell
             -- Rounding may leave an angle at the far end of its cell.
-            !upper = if cell == cellCount - 1 then to else min to (max (from + 1e-9) (middle + 0.5 * spacing))
+            !upper =
+              if cell == cellCount - 1
+                then to
+                else min to (max (from + 1e-9) (middle + 0.5 * spacing))
             !(u, slope) = waypoint waypoints spacing cell
             !path = expand pull u slope
             cosine = cos middle
@@ -114,9 +129,23 @@ followTable space table region phase photon gather = start
                     -- continues into the next cell.
                     !limit = if final < leaving || upper < to && final >= t1 then 1 / 0 else final
                     !done = if final < leaving then middle + final else upper
-                 in samples n begin (lead * turn) final limit turn path outward onward done middle to next state
+                 in samples
+                      n
+                      begin
+                      (lead * turn)
+                      final
+                      limit
+                      turn
+                      path
+                      outward
+                      onward
+                      done
+                      middle
+                      to
+                      next
+                      state
 
-    samples !n !t !wanted !final !limit !turn !path !outward0 !onward0 !upper !middle !to !next !state
+    samples !n !t !wanted !final !limit !turn !path !out0 !on0 !upper !middle !to !next !state
       | t >= final = cells n 1 (max upper (middle + t)) to next state
       | otherwise =
         let !step = if limit - t < 1.4 * wanted then limit - t else wanted
@@ -126,9 +155,23 @@ followTable space table region phase photon gather = start
             !t2 = tM * tM
             !c = 1 - t2 * (0.5 - t2 * (1 / 24 - t2 * (1 / 720 - t2 * (1 / 40320))))
             !s = tM * (1 - t2 * (1 / 6 - t2 * (1 / 120 - t2 * (1 / 5040 - t2 * (1 / 362880)))))
-            !outward@(XYZ _ sineLatitude _) = c *^ outward0 ^+^ s *^ onward0
+            !outward@(XYZ _ sineLatitude _) = c *^ out0 ^+^ s *^ on0
             !grown = turn * growthAt layer u sineLatitude
-            goOn = samples (n + 1) (t + step) grown final limit turn path outward0 onward0 upper middle to next
+            goOn =
+              samples
+                (n + 1)
+                (t + step)
+                grown
+                final
+                limit
+                turn
+                path
+                out0
+                on0
+                upper
+                middle
+                to
+                next
             {-# INLINE goOn #-}
          in if abs sineLatitude > steepest layer u || u < layerOuter layer || u > layerInner layer
               then goOn state
@@ -136,8 +179,8 @@ followTable space table region phase photon gather = start
                 Continue state' -> goOn state'
                 Stop state' -> Followed Opaque state' (n + 1)
       where
-        XYZ _ latitude _ = outward0
-        XYZ _ climb _ = onward0
+        XYZ _ latitude _ = out0
+        XYZ _ climb _ = on0
 
     segmentAt step u slope outward@(XYZ _ sineLatitude _) climbing =
       PathSegment

@@ -26,7 +26,12 @@ import BlackHole.Spacetime.Momentum (staticFrequency)
 import BlackHole.Spacetime.PathPlane
 import BlackHole.Spacetime.Photon
 import BlackHole.Spacetime.Schwarzschild.Deflection
-import BlackHole.Spacetime.Schwarzschild.LensTable (LensTable, lensSeries, lensTable, lensTableRadius)
+import BlackHole.Spacetime.Schwarzschild.LensTable
+  ( LensTable,
+    lensSeries,
+    lensTable,
+    lensTableRadius,
+  )
 import BlackHole.Spacetime.Schwarzschild.Orbit
 import BlackHole.Spacetime.Schwarzschild.OrbitSeries
 import BlackHole.Spacetime.Types (Spacetime (Flat, Schwarzschild), pullOfGravity)
@@ -144,19 +149,30 @@ escapesAfter angle = Escaped (XY (cos angle) (sin angle))
 trajectoryFromCamera :: Sight -> Double -> Radians -> Maybe Trajectory
 trajectoryFromCamera sight r (Radians psi) = do
   observed <- staticFrequency r
-  let path = orbit r (negate (withoutRounding (cos psi)) * sqrt ((r - 1) / r)) (sin (min psi (pi - psi)))
+  let path =
+        orbit r (negate (withoutRounding (cos psi)) * sqrt ((r - 1) / r)) (sin (min psi (pi - psi)))
   pure (alongOrbit observed (sightPlane sight) r (pi - psi) path)
 
 -- | The line of sight of 'trajectoryFromCamera' as the renderer follows it by default:
--- along the table of paths for the camera's distance ("BlackHole.Spacetime.Schwarzschild.LensTable").
--- Takes some ten milliseconds for the table.
+-- along the table of paths for the camera's distance
+-- ("BlackHole.Spacetime.Schwarzschild.LensTable"). Takes some ten milliseconds for the table.
 trajectoryFromTable :: Sight -> Double -> Radians -> Maybe Trajectory
 trajectoryFromTable sight r (Radians psi) = do
   closed <- trajectoryFromCamera sight r (Radians psi)
-  let start = Launch (sightPlane sight) (negate (cos psi)) (sin (min psi (pi - psi)) / sqrt ((r - 1) / r))
-      tabulated = alongSeries (trajectoryObserved closed) r Schwarzschild start (lensSeries (lensTable r) (launchRadial start) (launchTangential start))
+  let start =
+        Launch (sightPlane sight) (negate (cos psi)) (sin (min psi (pi - psi)) / sqrt ((r - 1) / r))
+      tabulated =
+        alongSeries
+          (trajectoryObserved closed)
+          r
+          Schwarzschild
+          start
+          (lensSeries (lensTable r) (launchRadial start) (launchTangential start))
       -- The renderer takes the direction from its sine and cosine.
-      turnedTo (XY c s) = let off = atan2 s c - trajectorySweep tabulated in trajectorySweep tabulated + off - 2 * pi * fromIntegral (round (off / (2 * pi)) :: Int)
+      turnedTo (XY c s) =
+        let off =
+              atan2 s c - trajectorySweep tabulated
+         in trajectorySweep tabulated + off - 2 * pi * fromIntegral (round (off / (2 * pi)) :: Int)
   pure $ case trajectoryFate tabulated of
     _ | trajectoryImpactParameter closed == 0 -> closed
     Escaped direction ->
@@ -169,14 +185,21 @@ trajectoryFromTable sight r (Radians psi) = do
 
 -- | 'trajectoryFromPhoton' from the table's radius along the table of paths.
 trajectoryOnTable :: LensTable -> Double -> Photon -> Trajectory
-trajectoryOnTable table observed photon = alongSeries observed r Schwarzschild start (lensSeries table (launchRadial start) (launchTangential start))
+trajectoryOnTable table observed photon =
+  alongSeries
+    observed
+    r
+    Schwarzschild
+    start
+    (lensSeries table (launchRadial start) (launchTangential start))
   where
     r = lensTableRadius table
     start = launch r photon
 
 -- | 'trajectoryFromPhoton' without gravity.
 trajectoryOnLine :: Double -> Photon -> Trajectory
-trajectoryOnLine observed photon = (alongSeries observed r Flat start (lineSeries u slope)) {trajectoryInverse = along}
+trajectoryOnLine observed photon =
+  (alongSeries observed r Flat start (lineSeries u slope)) {trajectoryInverse = along}
   where
     u = 1 / r
     slope = negate radial / (r * tangential)
@@ -216,33 +239,39 @@ alongOrbit observed plane r straight path =
 
 -- | A path from its start along a series of cells.
 alongSeries :: Double -> Double -> Spacetime -> Launch -> OrbitSeries -> Trajectory
-alongSeries observed r space (Launch plane radial tangential) (OrbitSeries fate angle cells waypoints) =
-  Trajectory
-    { trajectoryPlane = plane,
-      trajectoryFate = fate,
-      trajectorySweep = if fate == Circles then 1 / 0 else angle,
-      trajectoryImpactParameter = r * tangential,
-      trajectoryClosestApproach = (1 /) . fst . inverse <$> turn,
-      trajectoryDeflection = case fate of
-        Escaped _ -> Just (angle - atan2 tangential radial)
-        _ -> Nothing,
-      trajectoryStartRadius = Just r,
-      trajectoryTurn = turn,
-      trajectoryObserved = observed,
-      trajectoryInverse = inverse
-    }
-  where
-    spacing = angle / fromIntegral cells
-    inverse at =
-      let cell = max 0 (min (cells - 1) (truncate (at / spacing)))
-          (u, slope) = waypoint waypoints spacing cell
-          path = expand (pullOfGravity space) u slope
-          offset = at - (fromIntegral cell + 0.5) * spacing
-       in (expansionValue path offset, expansionSlope path offset)
-    -- The closest point lies where the path turns from inward to outward.
-    turn
-      | snd (inverse 0) > 0 && snd (inverse angle) < 0 = Just (bisect ((> 0) . snd . inverse) 0 angle)
-      | otherwise = Nothing
+alongSeries
+  observed
+  r
+  space
+  (Launch plane radial tangential)
+  (OrbitSeries fate angle cells waypoints) =
+    Trajectory
+      { trajectoryPlane = plane,
+        trajectoryFate = fate,
+        trajectorySweep = if fate == Circles then 1 / 0 else angle,
+        trajectoryImpactParameter = r * tangential,
+        trajectoryClosestApproach = (1 /) . fst . inverse <$> turn,
+        trajectoryDeflection = case fate of
+          Escaped _ -> Just (angle - atan2 tangential radial)
+          _ -> Nothing,
+        trajectoryStartRadius = Just r,
+        trajectoryTurn = turn,
+        trajectoryObserved = observed,
+        trajectoryInverse = inverse
+      }
+    where
+      spacing = angle / fromIntegral cells
+      inverse at =
+        let cell = max 0 (min (cells - 1) (truncate (at / spacing)))
+            (u, slope) = waypoint waypoints spacing cell
+            path = expand (pullOfGravity space) u slope
+            offset = at - (fromIntegral cell + 0.5) * spacing
+         in (expansionValue path offset, expansionSlope path offset)
+      -- The closest point lies where the path turns from inward to outward.
+      turn
+        | snd (inverse 0) > 0 && snd (inverse angle) < 0 =
+          Just (bisect ((> 0) . snd . inverse) 0 angle)
+        | otherwise = Nothing
 
 -- | The swept angle of the end; for a path without end, that of four turns.
 trajectoryEndAngle :: Trajectory -> Double

@@ -66,7 +66,13 @@ trajectoryPoints farthest step trajectory
         let outward = fromMaybe 0 (trajectoryTurn trajectory)
          in if radius outward > limit
               then Nothing
-              else Just (bisect (\a -> radius a < limit && fst (trajectoryInverse trajectory a) > 0) outward (trajectorySweep trajectory))
+              else
+                Just
+                  ( bisect
+                      (\a -> radius a < limit && fst (trajectoryInverse trajectory a) > 0)
+                      outward
+                      (trajectorySweep trajectory)
+                  )
       _ -> Just (trajectoryEndAngle trajectory)
     radialPoints = case trajectoryFate trajectory of
       Escaped _ -> [radialPoint r 1 | r <- ladder start limit]
@@ -81,11 +87,12 @@ trajectoryPoints farthest step trajectory
 -- | The start of a path or, if that is at infinity, the point where the path first
 -- comes within the given radius. 'Nothing' for a path from infinity that never does.
 trajectoryEntry :: Double -> Trajectory -> Maybe TrajectoryPoint
-trajectoryEntry limit trajectory = case (trajectoryStartRadius trajectory, trajectoryImpactParameter trajectory == 0) of
-  (Just r, True) -> Just (radial r)
-  (Nothing, True) -> Just (radial limit)
-  (Just _, False) -> Just (pointAt trajectory 0)
-  (Nothing, False) -> pointAt trajectory <$> entryAngle limit trajectory
+trajectoryEntry limit trajectory =
+  case (trajectoryStartRadius trajectory, trajectoryImpactParameter trajectory == 0) of
+    (Just r, True) -> Just (radial r)
+    (Nothing, True) -> Just (radial limit)
+    (Just _, False) -> Just (pointAt trajectory 0)
+    (Nothing, False) -> pointAt trajectory <$> entryAngle limit trajectory
   where
     radial r =
       TrajectoryPoint 0 (Photon (r *^ outset) (direction *^ outset))
@@ -112,4 +119,5 @@ trajectoryCrossings trajectory
   | otherwise = map (crossingOf . pointPhoton . pointAt trajectory) angles
   where
     plane = trajectoryPlane trajectory
-    angles = takeWhile (< trajectoryEndAngle trajectory) (take 1000 (iterate (+ pi) (firstCrossing plane)))
+    angles =
+      takeWhile (< trajectoryEndAngle trajectory) (take 1000 (iterate (+ pi) (firstCrossing plane)))

@@ -33,13 +33,25 @@ spec = do
   it "are Schwarzschild's without spin" $
     map
       ($ spinOf 0)
-      [horizonRadius, innerHorizonRadius, photonOrbitRadius RightHanded, (`sphericalOrbitRadius` 0), iscoRadius RightHanded, (`ergosphereRadius` 0.3)]
+      [ horizonRadius,
+        innerHorizonRadius,
+        photonOrbitRadius RightHanded,
+        (`sphericalOrbitRadius` 0),
+        iscoRadius RightHanded,
+        (`ergosphereRadius` 0.3)
+      ]
       `shouldSatisfy` (all ((< 1e-15) . abs) . zipWith (-) [1, 0, 1.5, 1.5, 3, 1])
   it "exist for spins within (−1, 1) only" $
-    map (isJust . spin) [-1, -0.9999, 0, 0.9999, 1, 1.5, 0 / 0] `shouldBe` [False, True, True, True, False, False, False]
+    map (isJust . spin) [-1, -0.9999, 0, 0.9999, 1, 1.5, 0 / 0]
+      `shouldBe` [False, True, True, True, False, False, False]
   prop "lie in their order outside the horizon" $ \(Spinning hole) ->
     counterexample (show hole) $
-      let ascending = [innerHorizonRadius hole, horizonRadius hole, prograde photonOrbitRadius hole, prograde iscoRadius hole]
+      let ascending =
+            [ innerHorizonRadius hole,
+              horizonRadius hole,
+              prograde photonOrbitRadius hole,
+              prograde iscoRadius hole
+            ]
        in and (zipWith (<=) ascending (drop 1 ascending))
   prop "mirror the hole with its spin" $ \(Spinning hole) ->
     let mirrored = spinOf (negate (dimensionlessSpin hole))
@@ -54,11 +66,14 @@ spec = do
     -- Of the circular orbit whose energy is the rest mass.
     marginallyBoundRadius hole = let s = dimensionlessSpin hole in 0.5 * (2 - s + 2 * sqrt (1 - s))
     mirror = spinOf . negate . dimensionlessSpin
-    prograde radius hole = radius (if dimensionlessSpin hole < 0 then LeftHanded else RightHanded) hole
+    prograde radius hole =
+      radius (if dimensionlessSpin hole < 0 then LeftHanded else RightHanded) hole
 
 -- | Spins from both signs up to 0.9999.
 newtype Spinning = Spinning Spin
   deriving (Show)
 
 instance Arbitrary Spinning where
-  arbitrary = Spinning . spinOf <$> oneof [choose (-0.9999, 0.9999), choose (-1e-6, 1e-6), elements [-0.9999, 0.9999, 0]]
+  arbitrary =
+    Spinning . spinOf
+      <$> oneof [choose (-0.9999, 0.9999), choose (-1e-6, 1e-6), elements [-0.9999, 0.9999, 0]]

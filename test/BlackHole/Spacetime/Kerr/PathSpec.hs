@@ -37,10 +37,15 @@ spec = do
       rays <- (++) <$> readKerrRays <*> readKerrObservers
       sequence_
         [ do
-            maybe (pure ()) (\time -> kerrMinoTime path `relatively` (1e-12, time)) (rayMinoTime row)
+            maybe
+              (pure ())
+              (\time -> kerrMinoTime path `relatively` (1e-12, time))
+              (rayMinoTime row)
             case (kerrFate path, rayEscape row) of
               (Captured, Nothing) -> pure ()
-              (Escaped to, Just there) -> (rayName row, XYZ.distance to there) `shouldSatisfy` ((< 1e-15 * raySegment row + 1e-12) . snd)
+              (Escaped to, Just there) ->
+                (rayName row, XYZ.distance to there)
+                  `shouldSatisfy` ((< 1e-15 * raySegment row + 1e-12) . snd)
               (fate, _) -> expectationFailure (rayName row ++ ": " ++ show fate)
           | row <- rays,
             let path = pathOf row
@@ -53,12 +58,14 @@ spec = do
             sequence_
               [ do
                   pointRadius point `relatively` (1e-11, crossingRadius known)
-                  cos (0.5 * pi - pointAzimuth point - crossingAzimuth known) `shouldBeWithin` (1e-14, 1)
+                  cos (0.5 * pi - pointAzimuth point - crossingAzimuth known)
+                    `shouldBeWithin` (1e-14, 1)
                   shift (raySpin row) ray point `relatively` (1e-12, crossingRedshift known)
                 | (point, known) <- zip points (rayCrossings row)
               ]
             sequence_
-              [ shift (mirrored (raySpin row)) ray {rayLambda = negate (rayLambda ray)} point `relatively` (1e-12, known)
+              [ shift (mirrored (raySpin row)) ray {rayLambda = negate (rayLambda ray)} point
+                  `relatively` (1e-12, known)
                 | (point, known) <- zip points (rayLeftHanded row)
               ]
           | row <- rays,
@@ -72,11 +79,24 @@ spec = do
         forAll randomSight $ \(hole, place, direction) ->
           let ray = look hole place direction
               path = kerrPath hole (BoyerLindquist 0) ray
-              start = kerrStart (placeRadius place) (placePolarAngle place) (rayLambda ray) (rayRadialRate ray) (rayPolarRate ray)
+              start =
+                kerrStart
+                  (placeRadius place)
+                  (placePolarAngle place)
+                  (rayLambda ray)
+                  (rayRadialRate ray)
+                  (rayPolarRate ray)
               -- The dragged frame has a pole at the horizon; stop short of it.
               time = (if captured path then 0.8 else 1) * kerrMinoTime path
               pace = 0.03 / sqrt (0.3 + abs (rayEta ray) + rayLambda ray * rayLambda ray)
-              end = kerrAdvance (spinLength hole) (rayLambda ray) (rayEta ray) time (1 + ceiling (time / pace)) start
+              end =
+                kerrAdvance
+                  (spinLength hole)
+                  (rayLambda ray)
+                  (rayEta ray)
+                  time
+                  (1 + ceiling (time / pace))
+                  start
               (x, y, z) = kerrDirection end
               reached = case kerrFate path of
                 Escaped to -> to
@@ -86,51 +106,104 @@ spec = do
       prop "are mirrored by the equatorial plane" $
         forAll randomSight $ \(hole, Place r theta, Direction nr nt np) ->
           sameFate
-            (kerrFate (kerrPath hole (BoyerLindquist 0) (look hole (Place r theta) (Direction nr nt np))))
-            (flipped (kerrFate (kerrPath hole (BoyerLindquist 0) (look hole (Place r (pi - theta)) (Direction nr (negate nt) np)))))
+            ( kerrFate
+                (kerrPath hole (BoyerLindquist 0) (look hole (Place r theta) (Direction nr nt np)))
+            )
+            ( flipped
+                ( kerrFate
+                    ( kerrPath
+                        hole
+                        (BoyerLindquist 0)
+                        (look hole (Place r (pi - theta)) (Direction nr (negate nt) np))
+                    )
+                )
+            )
       prop "are mirrored when the hole turns the other way" $
         forAll randomSight $ \(hole, place, Direction nr nt np) ->
           sameFate
             (kerrFate (kerrPath hole (BoyerLindquist 0) (look hole place (Direction nr nt np))))
-            (reversed (kerrFate (kerrPath (mirrored hole) (BoyerLindquist 0) (look (mirrored hole) place (Direction nr nt (negate np))))))
+            ( reversed
+                ( kerrFate
+                    ( kerrPath
+                        (mirrored hole)
+                        (BoyerLindquist 0)
+                        (look (mirrored hole) place (Direction nr nt (negate np)))
+                    )
+                )
+            )
       prop "go over into Schwarzschild's without spin, however slowly the hole turns" $
-        forAll ((,) <$> randomSight <*> elements [0, 1e-12, -1e-9]) $ \((_, Place r theta, direction@(Direction nr _ _)), s) ->
-          let hole = spinOf s
-              ray = look hole (Place r theta) direction
-              orbit = Orbit.orbit r (nr * sqrt (1 - 1 / r)) (sqrt (1 - nr * nr))
-           in case (kerrFate (kerrPath hole (BoyerLindquist 0) ray), Orbit.orbitFate orbit) of
-                (Captured, Captured) -> property True
-                (Escaped to, Escaped (XY cosine _)) ->
-                  counterexample (show (to, cosine)) (abs (cosine - XYZ.dot to (XYZ 0 (cos theta) (sin theta))) < 1e-7)
-                (fate, other) -> counterexample (show (fate, other)) (nearlyCritical ray)
+        forAll ((,) <$> randomSight <*> elements [0, 1e-12, -1e-9]) $
+          \((_, Place r theta, direction@(Direction nr _ _)), s) ->
+            let hole = spinOf s
+                ray = look hole (Place r theta) direction
+                orbit = Orbit.orbit r (nr * sqrt (1 - 1 / r)) (sqrt (1 - nr * nr))
+             in case (kerrFate (kerrPath hole (BoyerLindquist 0) ray), Orbit.orbitFate orbit) of
+                  (Captured, Captured) -> property True
+                  (Escaped to, Escaped (XY cosine _)) ->
+                    counterexample
+                      (show (to, cosine))
+                      (abs (cosine - XYZ.dot to (XYZ 0 (cos theta) (sin theta))) < 1e-7)
+                  (fate, other) -> counterexample (show (fate, other)) (nearlyCritical ray)
 
   describe "special rays" $ do
     it "straight down the axis of a fast hole end in it, and straight up at the pole" $
       sequence_
-        [ kerrFate (kerrPath (spinOf 0.99) (BoyerLindquist 0) (look (spinOf 0.99) (Place 10 0) (Direction n 0 0))) `shouldSatisfy` expected
+        [ kerrFate
+            ( kerrPath
+                (spinOf 0.99)
+                (BoyerLindquist 0)
+                (look (spinOf 0.99) (Place 10 0) (Direction n 0 0))
+            )
+            `shouldSatisfy` expected
           | (n, expected) <- [(-1, (== Captured)), (1, upwards)]
         ]
     it "within the plane stay there and do not cross it" $ do
-      let path = kerrPath (spinOf 0.9) (BoyerLindquist 0) (look (spinOf 0.9) (Place 20 (0.5 * pi)) (aimed 0.3 0))
+      let path =
+            kerrPath
+              (spinOf 0.9)
+              (BoyerLindquist 0)
+              (look (spinOf 0.9) (Place 20 (0.5 * pi)) (aimed 0.3 0))
       length (kerrPlanePoints path) `shouldBe` 0
       case kerrFate path of
         Escaped (XYZ _ y _) -> y `shouldBeWithin` (1e-14, 0)
         fate -> expectationFailure (show fate)
     it "of an observer at rest need a place outside the ergosphere" $
-      [fmap rayRadius (lightRay (spinOf 0.9) (Place 0.9 theta) AtRest (aimed 0.3 0)) | theta <- [0.1, 0.5 * pi]] `shouldBe` [Just 0.9, Nothing]
+      [ fmap rayRadius (lightRay (spinOf 0.9) (Place 0.9 theta) AtRest (aimed 0.3 0))
+        | theta <- [0.1, 0.5 * pi]
+      ]
+        `shouldBe` [Just 0.9, Nothing]
     it "of a falling observer pass the horizon without a jump" $ do
-      let outward r = case kerrFate (kerrPath hole (Ingoing 0) (fromMaybe (error "dark") (lightRay hole (Place r 1.2) InFreeFall (aimed 2.2 0.4)))) of
+      let outward r = case kerrFate
+            ( kerrPath
+                hole
+                (Ingoing 0)
+                (fromMaybe (error "dark") (lightRay hole (Place r 1.2) InFreeFall (aimed 2.2 0.4)))
+            ) of
             Escaped to -> to
             _ -> XYZ 0 0 0
           hole = spinOf 0.9
           edge = horizonRadius hole
       XYZ.distance (outward (edge + 1e-9)) (outward (edge - 1e-9)) `shouldSatisfy` (< 1e-7)
   where
-    rayOf row = fromMaybe (error (rayName row)) (lightRay (raySpin row) (rayPlace row) (rayMotion row) (rayDirection row))
-    pathOf row = kerrPath (raySpin row) (if rayMotion row == InFreeFall then Ingoing 0 else BoyerLindquist 0) (rayOf row)
+    rayOf row =
+      fromMaybe
+        (error (rayName row))
+        (lightRay (raySpin row) (rayPlace row) (rayMotion row) (rayDirection row))
+    pathOf row =
+      kerrPath
+        (raySpin row)
+        (if rayMotion row == InFreeFall then Ingoing 0 else BoyerLindquist 0)
+        (rayOf row)
     mirrored hole = spinOf (negate (dimensionlessSpin hole))
-    shift hole ray point = rayObserved ray / kerrPlaneFrequency (kerrFlow hole) ray (pointRadius point) (Momentum (if pointGrows point then -1 else 1) (rayLambda ray))
-    look hole place direction = fromMaybe (error "no such observer") (lightRay hole place AtRest direction)
+    shift hole ray point =
+      rayObserved ray
+        / kerrPlaneFrequency
+          (kerrFlow hole)
+          ray
+          (pointRadius point)
+          (Momentum (if pointGrows point then -1 else 1) (rayLambda ray))
+    look hole place direction =
+      fromMaybe (error "no such observer") (lightRay hole place AtRest direction)
     captured path = kerrFate path == Captured
     direct point =
       let s = sqrt (1 - pointCosine point * pointCosine point)

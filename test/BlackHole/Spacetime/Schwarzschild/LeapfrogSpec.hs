@@ -9,6 +9,7 @@ import BlackHole.Spacetime.Schwarzschild.Leapfrog
 import BlackHole.Spacetime.Schwarzschild.LeapfrogStep
 import BlackHole.Spacetime.Schwarzschild.Orbit (orbit, orbitFate, orbitSweep)
 import BlackHole.Spacetime.Schwarzschild.Radii (criticalImpactParameter)
+import BlackHole.Spacetime.Schwarzschild.StepRule
 import BlackHole.Spacetime.Types
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ
@@ -27,7 +28,8 @@ spec = do
         [ stepLength (ReportSteps l0 w) (XYZ x y z) `shouldBeWithin` (1e-15, l0 * min sbh sad)
           | l0 <- [0.1, 0.02],
             w <- [0.01, 0.1],
-            (x, y, z) <- [(2, 0.1, 0), (1.05, 0.02, 0.3), (0, 3, -4), (10, 0.001, 20), (-0.2, 1.2, 0)],
+            (x, y, z) <-
+              [(2, 0.1, 0), (1.05, 0.02, 0.3), (0, 3, -4), (10, 0.001, 20), (-0.2, 1.2, 0)],
             let r = sqrt (x * x + y * y + z * z)
                 sbh = 1 / (1 + exp (10 * (1.4 - r)))
                 sad = 1 / (1 + exp (10 * (0.4 - abs y / (20 * w))))
@@ -47,13 +49,16 @@ spec = do
       let errors = [energyError 3.2 l | l <- [0.1, 0.05, 0.025, 0.0125]]
       mapM_ (`shouldBeWithin` (0.4, 4)) (zipWith (/) errors (drop 1 errors))
     it "so does the error of the direction in which light leaves" $ do
-      let errors = [XYZ.distance (directionBy (EqualSteps l)) (exactDirection 5) | l <- [0.2, 0.1, 0.05]]
+      let errors =
+            [XYZ.distance (directionBy (EqualSteps l)) (exactDirection 5) | l <- [0.2, 0.1, 0.05]]
       mapM_ (`shouldBeWithin` (0.4, 4)) (zipWith (/) errors (drop 1 errors))
   describe "time reversal" $
     prop "equal steps forwards, then backwards, lead home" $ \(Outside x) (Direction v) ->
       let Photon x1 v1 = fixedSteps 300 0.02 (Photon x v)
           Photon x2 v2 = fixedSteps 300 0.02 (Photon x1 (XYZ.negated v1))
-          closest = minimum (map (XYZ.norm . photonPosition) (take 300 (iterate (oneStep 0.02) (Photon x v))))
+          closest =
+            minimum
+              (map (XYZ.norm . photonPosition) (take 300 (iterate (oneStep 0.02) (Photon x v))))
        in -- Near the centre rounding errors are amplified without bound.
           closest > 1.2 ==> nearXYZ 1e-9 x x2 .&&. nearXYZ 1e-9 v (XYZ.negated v2)
   describe "fates" $ do
@@ -68,18 +73,29 @@ spec = do
     it "a photon that never gets away runs out of steps" $
       fateAfter 50 (Photon (XYZ 0 0 1.5) (XYZ 1 0 0)) `shouldBe` StepLimit
     it "what hides everything ends the path" $
-      followedFate (followLeapfrog defaultLeapfrog Schwarzschild everywhere (aimedAt 5) (\() _ -> Stop ()) ())
+      followedFate
+        (followLeapfrog defaultLeapfrog Schwarzschild everywhere (aimedAt 5) (\() _ -> Stop ()) ())
         `shouldBe` Opaque
     it "escapes in the direction of the closed form" $
       XYZ.distance (directionBy reportStepRule) (exactDirection 5) `shouldBeWithin` (2e-4, 0)
     prop "without gravity rays are straight" $ \(Outside x) (Direction v) ->
-      case followedFate (followLeapfrog defaultLeapfrog Flat emptyRegion (Photon x v) (\() _ -> Continue ()) ()) of
+      case followedFate
+        (followLeapfrog defaultLeapfrog Flat emptyRegion (Photon x v) (\() _ -> Continue ()) ()) of
         Escaped d -> nearXYZ 1e-12 d v
         Captured -> property (XYZ.norm (XYZ.cross x v) < 1 && XYZ.dot x v < 0)
         other -> counterexample (show other) False
   describe "the hot loop" $
     it "allocates nothing per step" . whenOptimised $ do
-      let steps limit = followedSteps (followLeapfrog defaultLeapfrog {leapfrogSteps = EqualSteps 1e-4, leapfrogStepLimit = limit} Schwarzschild emptyRegion (aimedAt 5) (\() _ -> Continue ()) ())
+      let steps limit =
+            followedSteps
+              ( followLeapfrog
+                  defaultLeapfrog {leapfrogSteps = EqualSteps 1e-4, leapfrogStepLimit = limit}
+                  Schwarzschild
+                  emptyRegion
+                  (aimedAt 5)
+                  (\() _ -> Continue ())
+                  ()
+              )
       few <- allocatedBytes (steps 1000)
       many <- allocatedBytes (steps 100000)
       (many - few) `shouldSatisfy` (< 100000)
@@ -96,7 +112,15 @@ aimedAt b = Photon (XYZ p 0 (sqrt (900 - p * p))) (XYZ 0 0 (negate speed))
 -- | Where that photon escapes to at b = 5, by leapfrog.
 directionBy :: StepRule -> XYZ
 directionBy rule =
-  case followedFate (followLeapfrog defaultLeapfrog {leapfrogSteps = rule, leapfrogSkyRadius = 400} Schwarzschild emptyRegion (aimedAt 5) (\() _ -> Continue ()) ()) of
+  case followedFate
+    ( followLeapfrog
+        defaultLeapfrog {leapfrogSteps = rule, leapfrogSkyRadius = 400}
+        Schwarzschild
+        emptyRegion
+        (aimedAt 5)
+        (\() _ -> Continue ())
+        ()
+    ) of
     Escaped d -> d
     _ -> XYZ.zero
 
@@ -117,7 +141,15 @@ fateOf = fateAfter 200000
 
 fateAfter :: Int -> Photon -> Fate XYZ
 fateAfter limit photon =
-  followedFate (followLeapfrog defaultLeapfrog {leapfrogStepLimit = limit} Schwarzschild emptyRegion photon (\() _ -> Continue ()) ())
+  followedFate
+    ( followLeapfrog
+        defaultLeapfrog {leapfrogStepLimit = limit}
+        Schwarzschild
+        emptyRegion
+        photon
+        (\() _ -> Continue ())
+        ()
+    )
 
 everywhere :: Region
 everywhere = Region 1e9 0 1e9 0 1 1 1

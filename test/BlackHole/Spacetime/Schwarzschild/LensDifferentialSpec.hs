@@ -19,8 +19,12 @@ import Test.QuickCheck
 spec :: Spec
 spec =
   sequence_
-    [ prop ("is the difference quotient of the closed form, for the " ++ observerName observer ++ " observer at " ++ show r) $
-        \(Direction d) (Direction side) ->
+    [ prop
+        ( "is the difference quotient of the closed form, for the " ++ observerName observer
+            ++ " observer at "
+            ++ show r
+        )
+        $ \(Direction d) (Direction side) ->
           let step = 1e-6
               at = sightLine Schwarzschild observer place
               place = (r / XYZ.norm axis) *^ axis
@@ -33,7 +37,8 @@ spec =
                          in case lensChanges table photon here neighbour neighbour of
                               Just (LensChanges change _) ->
                                 counterexample (show (expected, (1 / step) *^ change)) $
-                                  XYZ.distance expected ((1 / step) *^ change) < 1e-3 * (1 + XYZ.norm expected)
+                                  XYZ.distance expected ((1 / step) *^ change)
+                                    < 1e-3 * (1 + XYZ.norm expected)
                               Nothing -> property False
                     _ -> discard
                 _ -> discard
@@ -44,6 +49,7 @@ spec =
   where
     axis = XYZ 0.3 0.8 (-0.5)
     unit v = (1 / XYZ.norm v) *^ v
-    escape photon = case followedFate (followExact Schwarzschild emptyRegion photon (\() _ -> Continue ()) ()) of
-      Escaped direction -> Just direction
-      _ -> Nothing
+    escape photon =
+      case followedFate (followExact Schwarzschild emptyRegion photon (\() _ -> Continue ()) ()) of
+        Escaped direction -> Just direction
+        _ -> Nothing

@@ -31,7 +31,9 @@ spec = do
     prop "the fates are those of the closed form" $
       forAll ((,) <$> inRange (-12) (-2) <*> elements [-1, 1]) $ \(e, side) ->
         let (r, radial, tangential) = criticalPhoton (side * 10 ** e)
-         in case (seriesFate (lensSeries ten radial tangential), orbitFate (orbit r radial tangential)) of
+         in case ( seriesFate (lensSeries ten radial tangential),
+                   orbitFate (orbit r radial tangential)
+                 ) of
               (Escaped _, Escaped _) -> property True
               (fate, exactly) -> fate === exactly
     prop "the error grows as slowly as the angle" $
@@ -42,9 +44,11 @@ spec = do
     prop "nearest to it the closed form itself answers" $
       forAll ((,) <$> inRange (-12) (-8) <*> elements [-1, 1]) $ \(e, side) ->
         let (r, radial, tangential) = criticalPhoton (side * 10 ** e)
-         in seriesAngle (lensSeries ten radial tangential) === orbitSweep (orbit r radial tangential)
+         in seriesAngle (lensSeries ten radial tangential)
+              === orbitSweep (orbit r radial tangential)
   it "fits into four megabytes" $
-    map (lensTableSize . lensTable) [0.3, 1.0001, 2, 30, 1e6] `shouldSatisfy` all (\n -> n > 10000 && n < 500000)
+    map (lensTableSize . lensTable) [0.3, 1.0001, 2, 30, 1e6]
+      `shouldSatisfy` all (\n -> n > 10000 && n < 500000)
   it "knows its place" $ lensTableRadius ten `shouldBe` 10
   it "is looked up without leaving much behind" $
     whenOptimised $ do
@@ -55,7 +59,10 @@ spec = do
               go 0 acc = acc
               go k acc =
                 let psi = 1 + fromIntegral k * 1e-4
-                 in acc `seq` go (k - 1) (acc + seriesAngle (lensSeries ten (cos psi) (sin psi / sqrt 0.9)))
+                 in acc
+                      `seq` go
+                        (k - 1)
+                        (acc + seriesAngle (lensSeries ten (cos psi) (sin psi / sqrt 0.9)))
       few <- total 10 `seq` allocatedBytes (total 100)
       many <- allocatedBytes (total 10100)
       (many - few) `div` 10000 `shouldSatisfy` (<= 200)
@@ -90,7 +97,13 @@ agrees table r part =
          in (sqrt (1 + (1 / r - 1) * t * t), t)
     crossings =
       conjoin
-        [ counterexample ("at " ++ show phi) (closeTo (1e-5 * max 1 (1e-3 / b)) (1 / exactly) (1 / expansionValue (expand 1.5 u slope) (phi - middle)))
+        [ counterexample
+            ("at " ++ show phi)
+            ( closeTo
+                (1e-5 * max 1 (1e-3 / b))
+                (1 / exactly)
+                (1 / expansionValue (expand 1.5 u slope) (phi - middle))
+            )
           | k <- [0 .. 10 :: Int],
             let phi = seriesAngle series * (fromIntegral k + 0.37) / 11
                 exactly = orbitInverseRadius path phi

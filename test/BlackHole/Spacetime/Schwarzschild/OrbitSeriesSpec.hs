@@ -15,21 +15,28 @@ spec :: Spec
 spec = do
   describe "the expansion" $ do
     prop "follows the closed form through its whole cell" $
-      forAll ((,,) <$> outsidePhoton <*> inRange 0 1 <*> inRange (-0.5) 0.5) $ \((r, radial, tangential), along, offset) ->
-        let path = orbit r radial tangential
-            series = orbitSeries path
-            spacing = seriesSpacing series
-            cell = min (seriesCells series - 1) (truncate (along * fromIntegral (seriesCells series)))
-            (u, slope) = waypoint (seriesWaypoints series) spacing cell
-            expansion = expand 1.5 u slope
-            middle = (fromIntegral cell + 0.5) * spacing
-            (u', slope') = orbitInverseRadiusAndSlope path (middle + offset * spacing)
-         in abs (r * tangential - criticalImpactParameter) > 1e-4
-              ==> closeTo (1e-8 * (1 + abs slope')) u' (expansionValue expansion (offset * spacing))
-                .&&. closeTo (1e-6 * (1 + abs slope')) slope' (expansionSlope expansion (offset * spacing))
+      forAll outsidePhoton $ \(r, radial, tangential) ->
+        forAll (inRange 0 1) $ \along -> forAll (inRange (-0.5) 0.5) $ \offset ->
+          let path = orbit r radial tangential
+              series = orbitSeries path
+              spacing = seriesSpacing series
+              cell =
+                min (seriesCells series - 1) (truncate (along * fromIntegral (seriesCells series)))
+              (u, slope) = waypoint (seriesWaypoints series) spacing cell
+              expansion = expand 1.5 u slope
+              middle = (fromIntegral cell + 0.5) * spacing
+              at = offset * spacing
+              (u', slope') = orbitInverseRadiusAndSlope path (middle + at)
+           in abs (r * tangential - criticalImpactParameter) > 1e-4
+                ==> closeTo (1e-8 * (1 + abs slope')) u' (expansionValue expansion at)
+                  .&&. closeTo
+                    (1e-6 * (1 + abs slope'))
+                    slope'
+                    (expansionSlope expansion at)
     prop "is the start and its slope at the waypoint" $
       forAll ((,) <$> inRange 0 1 <*> inRange (-1) 1) $ \(u, slope) ->
-        (expansionValue (expand 1.5 u slope) 0, expansionSlope (expand 1.5 u slope) 0) === (u, slope)
+        (expansionValue (expand 1.5 u slope) 0, expansionSlope (expand 1.5 u slope) 0)
+          === (u, slope)
     prop "is a straight line without a pull" $
       forAll ((,,) <$> inRange 0 1 <*> inRange (-1) 1 <*> inRange (-0.2) 0.2) $ \(u, slope, t) ->
         closeTo 1e-10 (u * cos t + slope * sin t) (expansionValue (expand 0 u slope) t)
@@ -47,7 +54,8 @@ spec = do
       forAll outsidePhoton $ \(r, radial, tangential) ->
         let path = orbit r radial tangential
             series = orbitSeries path
-         in seriesFate series === orbitFate path .&&. (orbitFate path == Circles || seriesAngle series == orbitSweep path)
+         in seriesFate series === orbitFate path
+              .&&. (orbitFate path == Circles || seriesAngle series == orbitSweep path)
   describe "a straight line" $ do
     prop "leaves in its own direction" $
       forAll straight $ \(r, psi) ->
@@ -58,17 +66,20 @@ spec = do
             Escaped (XY c s) -> closeTo 1e-12 (cos psi) c .&&. closeTo 1e-12 (sin psi) s
             _ -> counterexample "does not leave" False
     prop "or ends on the black ball" $
-      forAll ((\r part -> (r, pi - part * asin (1 / r))) <$> inRange 1.01 50 <*> inRange 0.001 0.999) $ \(r, psi) ->
-        case seriesFate (line r psi) of
-          -- The angle from the outward radius shrinks by the angle swept, and
-          -- its sine times the radius stays.
-          Captured -> closeTo 1e-9 (psi - (pi - asin (r * sin psi))) (seriesAngle (line r psi))
-          _ -> counterexample "does not fall in" False
+      forAll
+        ((\r part -> (r, pi - part * asin (1 / r))) <$> inRange 1.01 50 <*> inRange 0.001 0.999)
+        $ \(r, psi) ->
+          case seriesFate (line r psi) of
+            -- The angle from the outward radius shrinks by the angle swept, and
+            -- its sine times the radius stays.
+            Captured -> closeTo 1e-9 (psi - (pi - asin (r * sin psi))) (seriesAngle (line r psi))
+            _ -> counterexample "does not fall in" False
     prop "lies where geometry says" $
       forAll ((,) <$> straight <*> inRange 0 1) $ \((r, psi), along) ->
         let series = line r psi
             spacing = seriesSpacing series
-            cell = min (seriesCells series - 1) (truncate (along * fromIntegral (seriesCells series)))
+            cell =
+              min (seriesCells series - 1) (truncate (along * fromIntegral (seriesCells series)))
             phi = (fromIntegral cell + 0.5) * spacing
             (u, slope) = waypoint (seriesWaypoints series) spacing cell
          in abs (r * sin psi - 1) > 1e-3

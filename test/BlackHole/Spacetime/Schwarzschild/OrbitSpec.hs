@@ -251,13 +251,15 @@ regimeSpec = describe "regimes" $ do
       sweptAngle below `shouldSatisfy` maybe False (> 9)
 
   it "nearly critical: nothing breaks down to the last bit" $
-    forM_ [(r, k) | r <- [1.01, 1.3, 1.4999999, 1.5, 1.5000001, 1.6, 3, 20, 1e6], k <- [-8 .. 8 :: Int]] $ \(r, k) -> do
-      let b = criticalImpactParameter * (1 + fromIntegral k * 2.220446049250313e-16)
-          radial = sqrt (max 0 (1 - b * b / (r * r) * (1 - 1 / r)))
-      forM_ [orbit r (-radial) (b / r), orbit r radial (b / r)] $ \o -> do
-        sweptAngle o `shouldSatisfy` maybe True (\a -> a >= 0 && a < 100)
-        map (orbitInverseRadius o) [0, 0.1 .. 50] `shouldSatisfy` all (>= -1)
-        orbitInverseRadius o 0 `shouldSatisfy` nearly 1e-9 (1 / r)
+    forM_
+      [(r, k) | r <- [1.01, 1.3, 1.4999999, 1.5, 1.5000001, 1.6, 3, 20, 1e6], k <- [-8 .. 8 :: Int]]
+      $ \(r, k) -> do
+        let b = criticalImpactParameter * (1 + fromIntegral k * 2.220446049250313e-16)
+            radial = sqrt (max 0 (1 - b * b / (r * r) * (1 - 1 / r)))
+        forM_ [orbit r (-radial) (b / r), orbit r radial (b / r)] $ \o -> do
+          sweptAngle o `shouldSatisfy` maybe True (\a -> a >= 0 && a < 100)
+          map (orbitInverseRadius o) [0, 0.1 .. 50] `shouldSatisfy` all (>= -1)
+          orbitInverseRadius o 0 `shouldSatisfy` nearly 1e-9 (1 / r)
 
   it "from the photon sphere itself: no digit of the start is lost" $ do
     -- Radius, outward component, swept angle from 60-digit arithmetic.
@@ -336,7 +338,8 @@ regimeSpec = describe "regimes" $ do
     let o = orbit 0.5 1 1
     orbitTurningPoint o `shouldBe` Just (TurningPoint (pi / 2) 1)
     forM_ [0, 0.3, 1.5, 3] $ \phi ->
-      orbitInverseRadius o phi `shouldSatisfy` nearly 1e-13 (1 / sin ((pi / 2 + phi) / 2) ^ (2 :: Int))
+      orbitInverseRadius o phi
+        `shouldSatisfy` nearly 1e-13 (1 / sin ((pi / 2 + phi) / 2) ^ (2 :: Int))
 
   it "radial: sweeps no angle" $ do
     ending (orbit 10 1 0) `shouldBe` (Escaped (XY 1 0), 0)
@@ -366,7 +369,12 @@ independentSpec = describe "against the independent integration" . modifyMaxSucc
   it "deflects alike" $
     forM_ [2.6, 2.7, 3, 5, 20, 300] $ \b ->
       deflectionAngle b
-        `shouldSatisfy` maybe False (near (1e-15 / (b - criticalImpactParameter) + 1e-12) (fromMaybe 0 (independentDeflection b)))
+        `shouldSatisfy` maybe
+          False
+          ( near
+              (1e-15 / (b - criticalImpactParameter) + 1e-12)
+              (fromMaybe 0 (independentDeflection b))
+          )
 
   prop "ends alike, with the same swept angle" $ \(Tame l) ->
     let (u, w) = launchValues l
@@ -421,7 +429,8 @@ equationSpec = describe "the closed form's own equation" $ do
       let o = launchOrbit l
           end = fromMaybe 0 (sweptAngle o)
           angle = end * fraction
-          central h = (orbitInverseRadius o (angle + h) - orbitInverseRadius o (angle - h)) / (2 * h)
+          central h =
+            (orbitInverseRadius o (angle + h) - orbitInverseRadius o (angle - h)) / (2 * h)
           h0 = 2e-3 * min 1 end
           first = (4 * central (0.5 * h0) - central h0) / 3
           (u, w) = orbitInverseRadiusAndSlope o angle

@@ -29,19 +29,36 @@ spec = do
       prop "have segments within the region" $
         forAll view $ \(View space table photon region) ->
           conjoin
-            [ counterexample (show m) (XYZ.norm m <= regionRadius region * 1.000001 && abs y <= (regionHalfHeight region + regionFlare region * XYZ.norm m) * 1.000001 && XYZ.norm m >= 0.999999 * regionInnerRadius region)
+            [ counterexample
+                (show m)
+                ( XYZ.norm m <= regionRadius region * 1.000001
+                    && abs
+                      y
+                    <= (regionHalfHeight region + regionFlare region * XYZ.norm m)
+                    * 1.000001
+                    && XYZ.norm m
+                    >= 0.999999
+                    * regionInnerRadius region
+                )
               | segment <- followedState (sweptBy table space region photon),
                 let m@(XYZ _ y _) = segmentMiddle segment
             ]
       prop "have segments with the photon's own h and energy" $
         forAll view $ \(View space table photon region) ->
-          conjoin [belongsTo 1e-5 space photon segment | segment <- followedState (sweptBy table space region photon), segmentRadius segment > 1]
+          conjoin
+            [ belongsTo 1e-5 space photon segment
+              | segment <- followedState (sweptBy table space region photon),
+                segmentRadius segment > 1
+            ]
       prop "have segments that follow each other" $
         -- From one middle to the next it is half of the one and half of the
         -- other, unless the path was outside the region in between.
         forAll view $ \(View space table photon region) ->
           let segments = reverse (followedState (sweptBy table space region photon))
-              gap a b = (XYZ.distance (segmentMiddle a) (segmentMiddle b), 0.5 * (segmentLength a + segmentLength b))
+              gap a b =
+                ( XYZ.distance (segmentMiddle a) (segmentMiddle b),
+                  0.5 * (segmentLength a + segmentLength b)
+                )
            in conjoin
                 [ counterexample (show (s, t, d, expected)) (d > 0.97 * expected)
                   | (s, t) <- zip segments (drop 1 segments),
@@ -52,14 +69,16 @@ spec = do
         forAll view $ \(View space table photon region) ->
           gathersTheSame table space photon region
       prop "gather it from among the gas, along the radius as well" $
-        forAll ((,) <$> elements [TableAt r t | (r, t) <- tables, r > 2] <*> inRange (-0.5) 0.5) $ \(TableAt r' table, height) ->
-          forAll ((,,) <$> inRange (-0.02) 0.02 <*> inRange (-0.02) 0.02 <*> elements [-1, 1]) $ \(y, z, side) ->
-            let region = fine (Region 20 1.5 0.1 0 1 1 1)
-                -- The place is at the table's radius.
-                place = (r' / XYZ.norm (XYZ r' (0.1 * height) 0)) *^ XYZ r' (0.1 * height) 0
-                direction = fromMaybe (XYZ 1 0 0) (XYZ.normalize (XYZ side y z))
-             in seen Schwarzschild Static place direction $ \photon ->
-                  gathersTheSame table Schwarzschild photon region
+        forAll ((,) <$> elements [TableAt r t | (r, t) <- tables, r > 2] <*> inRange (-0.5) 0.5) $
+          \(TableAt r' table, height) ->
+            forAll ((,,) <$> inRange (-0.02) 0.02 <*> inRange (-0.02) 0.02 <*> elements [-1, 1]) $
+              \(y, z, side) ->
+                let region = fine (Region 20 1.5 0.1 0 1 1 1)
+                    -- The place is at the table's radius.
+                    place = (r' / XYZ.norm (XYZ r' (0.1 * height) 0)) *^ XYZ r' (0.1 * height) 0
+                    direction = fromMaybe (XYZ 1 0 0) (XYZ.normalize (XYZ side y z))
+                 in seen Schwarzschild Static place direction $ \photon ->
+                      gathersTheSame table Schwarzschild photon region
   describe "special places and regions" $ do
     it "a region that is empty, or behind the camera" $
       sequence_
@@ -85,45 +104,88 @@ spec = do
     it "a region of many scales costs no more than they are" $
       sequence_
         [ followedSteps (swept Schwarzschild (slab 2 1e4) photon) `shouldSatisfy` (< 20000)
-          | photon <- [Photon (XYZ 5 30 0) (XYZ 0 (-1) 0), Photon (XYZ 30 0.1 5) (XYZ (-1) 0 0), Photon (XYZ 1e3 0.1 5) (XYZ (-1) 0 0)]
+          | photon <-
+              [ Photon (XYZ 5 30 0) (XYZ 0 (-1) 0),
+                Photon (XYZ 30 0.1 5) (XYZ (-1) 0 0),
+                Photon (XYZ 1e3 0.1 5) (XYZ (-1) 0 0)
+              ]
         ]
     it "a path that turns back just outside the gas costs no more than others" $ do
       let start = XYZ 30 0.2 0
           table = lensTable (XYZ.norm start)
       maximum
-        [ followedSteps (sweptBy table Schwarzschild (slab 0.5 12) (Photon start (XYZ (negate (cos angle)) 0 (sin angle))))
+        [ followedSteps
+            ( sweptBy
+                table
+                Schwarzschild
+                (slab 0.5 12)
+                (Photon start (XYZ (negate (cos angle)) 0 (sin angle)))
+            )
           | k <- [0 .. 400 :: Int],
             let angle = 0.36 + 0.1 * fromIntegral k / 400
         ]
         `shouldSatisfy` (< 20000)
     it "a camera in the plane that looks along it sees all of the gas there" $
-      affine (swept Flat (slab 0.5 12) (Photon (XYZ 0 0 40) (fromMaybe XYZ.zero (XYZ.normalize (XYZ 0.06 0 (-1))))))
+      affine
+        ( swept
+            Flat
+            (slab 0.5 12)
+            (Photon (XYZ 0 0 40) (fromMaybe XYZ.zero (XYZ.normalize (XYZ 0.06 0 (-1)))))
+        )
         `shouldBeWithin` (0.05, 2 * sqrt (144 - (40 * 0.06) * (40 * 0.06) / 1.0036))
     it "one on the axis sees as much in all directions" $
       sequence_
-        [ affine (swept Schwarzschild (slab 0.5 12) photon) `shouldBeWithin` (0.02, affine (swept Schwarzschild (slab 0.5 12) first))
+        [ affine (swept Schwarzschild (slab 0.5 12) photon)
+            `shouldBeWithin` (0.02, affine (swept Schwarzschild (slab 0.5 12) first))
           | Just first <- [onAxis 0],
             k <- [1 .. 12 :: Int],
             Just photon <- [onAxis (0.5 * fromIntegral k)]
         ]
     it "light that falls straight in or comes straight out" $ do
-      followedFate (swept Schwarzschild (slab 1 12) (Photon (XYZ 0 5 5) (XYZ 0 (-sqrt 0.5) (-sqrt 0.5)))) `shouldBe` Captured
-      affine (swept Schwarzschild (slab 1 12) (Photon (XYZ 0 20 0) (XYZ 0 (-1) 0))) `shouldBeWithin` (0.02, 0)
+      followedFate
+        (swept Schwarzschild (slab 1 12) (Photon (XYZ 0 5 5) (XYZ 0 (-sqrt 0.5) (-sqrt 0.5))))
+        `shouldBe` Captured
+      affine (swept Schwarzschild (slab 1 12) (Photon (XYZ 0 20 0) (XYZ 0 (-1) 0)))
+        `shouldBeWithin` (0.02, 0)
       -- Along the radius the affine length is the radius.
-      affine (swept Schwarzschild (slab 2 12) (Photon (XYZ 0 20 0) (XYZ 0 (-1) 0))) `shouldBeWithin` (0.02, 1)
-      affine (swept Schwarzschild (slab 1 12) (Photon (XYZ 4 0 0) (XYZ 1 0 0))) `shouldBeWithin` (0.02, 8)
+      affine (swept Schwarzschild (slab 2 12) (Photon (XYZ 0 20 0) (XYZ 0 (-1) 0)))
+        `shouldBeWithin` (0.02, 1)
+      affine (swept Schwarzschild (slab 1 12) (Photon (XYZ 4 0 0) (XYZ 1 0 0)))
+        `shouldBeWithin` (0.02, 8)
     it "an opaque thing ends the path at the first segment" $
-      case followTable Schwarzschild (lensTable 20) (slab 1 12) 0.5 (Photon (XYZ 5 (sqrt 375) 0) (XYZ 0 (-1) 0)) (\n _ -> Stop (n + 1 :: Int)) 0 of
+      case followTable
+        Schwarzschild
+        (lensTable 20)
+        (slab 1 12)
+        0.5
+        (Photon (XYZ 5 (sqrt 375) 0) (XYZ 0 (-1) 0))
+        (\n _ -> Stop (n + 1 :: Int))
+        0 of
         Followed Opaque n steps -> (n, steps >= 1) `shouldBe` (1, True)
         Followed other _ _ -> expectationFailure (show other)
     it "a phase moves the segments by a part of a step and changes no total" $ do
-      let at phase = followedState (followTable Schwarzschild (lensTable 20) (slab 1 12) phase (Photon (XYZ 5 (sqrt 375) 0) (XYZ 0 (-1) 0)) (\s t -> Continue (t : s)) [])
+      let at phase =
+            followedState
+              ( followTable
+                  Schwarzschild
+                  (lensTable 20)
+                  (slab 1 12)
+                  phase
+                  (Photon (XYZ 5 (sqrt 375) 0) (XYZ 0 (-1) 0))
+                  (\s t -> Continue (t : s))
+                  []
+              )
           total = sum . map segmentAffineLength
       -- A segment at an edge counts or does not.
       total (at 0.1) `shouldBeWithin` (0.06, total (at 0.9))
   where
     onAxis azimuth =
-      sightLine Schwarzschild Static (XYZ 0 15 0) (XYZ (0.4 * cos azimuth) (-(sqrt 0.84)) (0.4 * sin azimuth)) >>= sightPhoton
+      sightLine
+        Schwarzschild
+        Static
+        (XYZ 0 15 0)
+        (XYZ (0.4 * cos azimuth) (-(sqrt 0.84)) (0.4 * sin azimuth))
+        >>= sightPhoton
 
 -- | A photon of unit energy, and where there is gas.
 data View = View Spacetime LensTable Photon Region
@@ -150,7 +212,8 @@ view = do
   (constant, flare) <- elements [(height, 0), (0, height / 3), (height, height / 10)]
   case sightLine space observer place direction >>= sightPhoton of
     Just photon
-      | notCritical space photon -> pure (View space table photon (fine (Region outer inner constant flare 1 1 1)))
+      | notCritical space photon ->
+        pure (View space table photon (fine (Region outer inner constant flare 1 1 1)))
     _ -> view
   where
     nearest Flat _ = 1
@@ -170,13 +233,16 @@ tables :: [(Double, LensTable)]
 tables = [(r, lensTable r) | r <- [0.3, 0.8, 1.02, 1.3, 1.5, 1.7, 2.2, 3.1, 4.5, 7, 11, 20, 60]]
 
 seen :: Spacetime -> Observer -> XYZ -> XYZ -> (Photon -> Property) -> Property
-seen space observer place direction f = maybe (property Discard) f (sightLine space observer place direction >>= sightPhoton)
+seen space observer place direction f =
+  maybe (property Discard) f (sightLine space observer place direction >>= sightPhoton)
 
 swept :: Spacetime -> Region -> Photon -> Followed [PathSegment]
-swept space region photon = sweptBy (lensTable (XYZ.norm (photonPosition photon))) space region photon
+swept space region photon =
+  sweptBy (lensTable (XYZ.norm (photonPosition photon))) space region photon
 
 sweptBy :: LensTable -> Spacetime -> Region -> Photon -> Followed [PathSegment]
-sweptBy table space region photon = followTable space table region 0.4 photon (\s t -> Continue (t : s)) []
+sweptBy table space region photon =
+  followTable space table region 0.4 photon (\s t -> Continue (t : s)) []
 
 exact :: Spacetime -> Region -> Photon -> Followed [PathSegment]
 exact space region photon = followExact space region photon (\s t -> Continue (t : s)) []
@@ -211,10 +277,13 @@ gathersTheSame table space photon region =
           regionVerticalStep = 0.03,
           regionLongestStep = 0.004
         }
-    gather total segment = Continue (total + segmentAffineLength segment * density (segmentMiddle segment))
+    gather total segment =
+      Continue (total + segmentAffineLength segment * density (segmentMiddle segment))
     density place@(XYZ _ y _)
       | r >= regionRadius region || r <= regionInnerRadius region || abs s >= 1 = 0
-      | otherwise = exp (-14 * s * s) * square (1 - square (r / regionRadius region)) * square (1 - square (regionInnerRadius region / r))
+      | otherwise =
+        exp (-14 * s * s) * square (1 - square (r / regionRadius region))
+          * square (1 - square (regionInnerRadius region / r))
       where
         r = XYZ.norm place
         s = y / (regionHalfHeight region + regionFlare region * r)
