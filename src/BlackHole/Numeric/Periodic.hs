@@ -24,7 +24,11 @@ data Periodic
 
 -- | A number of terms, with the places at which to evaluate a function, as values of
 -- @sin² x@, and the weights of the values in each coefficient.
-data Resolution = Resolution {-# UNPACK #-} !Int {-# UNPACK #-} !(PrimArray Double) {-# UNPACK #-} !(PrimArray Double)
+data Resolution
+  = Resolution
+      {-# UNPACK #-} !Int
+      {-# UNPACK #-} !(PrimArray Double)
+      {-# UNPACK #-} !(PrimArray Double)
 
 -- | @resolution n@ takes the mean and n − 1 further terms from n + 1 values.
 resolution :: Int -> Resolution
@@ -32,14 +36,19 @@ resolution n =
   Resolution
     n
     (generatePrimArray (n + 1) (\j -> sin (half * fromIntegral j) * sin (half * fromIntegral j)))
-    (generatePrimArray (n * (n + 1)) (\i -> let (k, j) = quotRem i (n + 1) in ends j * cos (2 * half * fromIntegral (k * j)) / (if k == 0 then 1 else fromIntegral k) / fromIntegral n))
+    (generatePrimArray (n * (n + 1)) (\i -> uncurry weight (quotRem i (n + 1))))
   where
+    weight k j =
+      ends j * cos (2 * half * fromIntegral (k * j))
+        / (if k == 0 then 1 else fromIntegral k)
+        / fromIntegral n
     half = pi / (2 * fromIntegral n) :: Double
     ends j = if j == 0 || j == n then 0.5 else 1 :: Double
 
 -- | The integral of a function, given by @sin² x@.
 periodicIntegral :: Resolution -> (Double -> Double) -> Periodic
-periodicIntegral (Resolution n places weights) f = Periodic (coefficient 0) (generatePrimArray (n - 1) (\k -> coefficient (k + 1)))
+periodicIntegral (Resolution n places weights) f =
+  Periodic (coefficient 0) (generatePrimArray (n - 1) (\k -> coefficient (k + 1)))
   where
     !values = generatePrimArray (n + 1) (f . indexPrimArray places)
     coefficient k = go 0 0
@@ -47,7 +56,10 @@ periodicIntegral (Resolution n places weights) f = Periodic (coefficient 0) (gen
         go :: Int -> Double -> Double
         go !j !total
           | j > n = total
-          | otherwise = go (j + 1) (total + indexPrimArray weights (k * (n + 1) + j) * indexPrimArray values j)
+          | otherwise =
+            go
+              (j + 1)
+              (total + indexPrimArray weights (k * (n + 1) + j) * indexPrimArray values j)
 {-# INLINE periodicIntegral #-}
 
 -- | @integralTo integral x (sin x) (cos x)@.

@@ -23,7 +23,7 @@ import BlackHole.Spacetime.Fate
 import BlackHole.Spacetime.Kerr.Follow
 import BlackHole.Spacetime.Kerr.Landmarks (Spin, horizonRadius, kerrDelta)
 import BlackHole.Spacetime.Kerr.Path
-import BlackHole.Spacetime.Kerr.Radial (photonOrbitOffset, radialPotential)
+import BlackHole.Spacetime.Kerr.RadialPotential (photonOrbitOffset, radialPotential)
 import BlackHole.Spacetime.Kerr.Sight
 import BlackHole.Spacetime.Kerr.SkyTable
 import BlackHole.Spacetime.LightPath
@@ -116,7 +116,9 @@ pathFate traced sight = case (sight, tracingMethod traced) of
 
 -- | The end of a path around a rotating hole, from the table where it applies.
 rotatingFate :: Tracing -> KerrPath -> Azimuth -> LightRay -> Fate XYZ
-rotatingFate traced path azimuth ray = fromMaybe (kerrFate path) (tracingSkyTable traced >>= \table -> tabulatedFate table azimuth ray)
+rotatingFate traced path azimuth ray =
+  fromMaybe (kerrFate path) $
+    tracingSkyTable traced >>= \table -> tabulatedFate table azimuth ray
 
 -- | All crossings of the disk's plane along a line of sight, in order from the camera,
 -- whether or not gas hides them, with the momentum of the real photon there; 'Nothing' at

@@ -52,21 +52,24 @@ nodes = 8
 -- tolerance is for each component. A rectangle is halved this many times at most. Costs
 -- 64 evaluations for each rectangle.
 patch :: Double -> Int -> (Double -> Double -> Maybe XYZ) -> Rectangle -> Patch
-patch tolerance depth f rectangle@(Rectangle mx hx my hy) = case traverse (uncurry f) places of
+patch tolerance depth f rectangle@(Rectangle mx hx my hy) = case traverse (uncurry f) points of
   Nothing -> Rough
   Just values
     | max restX restY <= tolerance -> Smooth rectangle (polynomials samples)
     | depth <= 0 -> Rough
-    | restX >= restY -> HalvesX mx (part rectangle {middleX = mx - 0.5 * hx, halfX = 0.5 * hx}) (part rectangle {middleX = mx + 0.5 * hx, halfX = 0.5 * hx})
-    | otherwise -> HalvesY my (part rectangle {middleY = my - 0.5 * hy, halfY = 0.5 * hy}) (part rectangle {middleY = my + 0.5 * hy, halfY = 0.5 * hy})
+    | restX >= restY -> HalvesX mx (alongX (mx - 0.5 * hx)) (alongX (mx + 0.5 * hx))
+    | otherwise -> HalvesY my (alongY (my - 0.5 * hy)) (alongY (my + 0.5 * hy))
     where
       samples = primArrayFromList (concat [[x, y, z] | XYZ x y z <- values])
-      restX = maximum [remainder nodes (\i -> sample i j component) | j <- [0 .. nodes - 1], component <- [0 .. 2]]
-      restY = maximum [remainder nodes (\j -> sample i j component) | i <- [0 .. nodes - 1], component <- [0 .. 2]]
-      sample i j component = indexPrimArray samples ((i * nodes + j) * 3 + component)
+      restX = maximum [remainder nodes (\i -> sample i j part) | j <- places, part <- [0 .. 2]]
+      restY = maximum [remainder nodes (\j -> sample i j part) | i <- places, part <- [0 .. 2]]
+      sample i j part = indexPrimArray samples ((i * nodes + j) * 3 + part)
   where
-    part = patch tolerance (depth - 1) f
-    places = [(mx + hx * node nodes i, my + hy * node nodes j) | i <- [0 .. nodes - 1], j <- [0 .. nodes - 1]]
+    alongX middle = half rectangle {middleX = middle, halfX = 0.5 * hx}
+    alongY middle = half rectangle {middleY = middle, halfY = 0.5 * hy}
+    half = patch tolerance (depth - 1) f
+    points = [(mx + hx * node nodes i, my + hy * node nodes j) | i <- places, j <- places]
+    places = [0 .. nodes - 1]
 
 -- | The value at a point of the rectangle; 'Nothing' where no polynomial is accurate.
 patchValue :: Patch -> Double -> Double -> Maybe XYZ
@@ -81,12 +84,18 @@ patchValue whole !x !y = go whole
             -- Estrin's scheme: the terms do not wait for each other.
             row k =
               let at l = indexPrimArray coefficients (k + l)
-               in (at 0 + t * at 1 + t2 * (at 2 + t * at 3)) + t4 * (at 4 + t * at 5 + t2 * (at 6 + t * at 7))
+               in (at 0 + t * at 1 + t2 * (at 2 + t * at 3))
+                    + t4 * (at 4 + t * at 5 + t2 * (at 6 + t * at 7))
             {-# INLINE row #-}
             sums :: Int -> Double -> Double -> Double -> Maybe XYZ
             sums !k !a !b !c
               | k < 0 = Just (XYZ a b c)
-              | otherwise = sums (k - nodes) (a * s + row k) (b * s + row (k + square)) (c * s + row (k + 2 * square))
+              | otherwise =
+                sums
+                  (k - nodes)
+                  (a * s + row k)
+                  (b * s + row (k + square))
+                  (c * s + row (k + 2 * square))
          in sums (square - nodes) 0 0 0
       HalvesX middle low high -> go (if x < middle then low else high)
       HalvesY middle low high -> go (if y < middle then low else high)
@@ -111,7 +120,9 @@ patchChange whole !x !y = go whole
             inner :: Int -> Int -> Double -> Double -> Two
             inner !k !l !value !slope
               | l < 0 = Two value slope
-              | otherwise = inner k (l - 1) (value * t + indexPrimArray coefficients (k + l)) (slope * t + value)
+              | otherwise =
+                let !coefficient = indexPrimArray coefficients (k + l)
+                 in inner k (l - 1) (value * t + coefficient) (slope * t + value)
             outer :: Int -> Int -> Double -> Double -> Double -> Two
             outer !component !k !value !alongX !alongY
               | k < 0 = Two (alongX / hx) (alongY / hy)
@@ -135,9 +146,12 @@ data Curve = Curve {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} 
 -- Chebyshev nodes, an even number. 'Nothing' if it is not accurate.
 curve :: Double -> Int -> (Double -> Double) -> Double -> Double -> Maybe Curve
 curve tolerance count f middle half
-  | remainder count (indexPrimArray samples) <= tolerance = Just (Curve middle half (generatePrimArray count (\k -> times count (snd (matrices count)) k (indexPrimArray samples))))
+  | remainder count sample <= tolerance =
+    Just (Curve middle half (generatePrimArray count (\k -> times count ofPowers k sample)))
   | otherwise = Nothing
   where
+    ofPowers = snd (matrices count)
+    sample = indexPrimArray samples
     samples = generatePrimArray count (\i -> f (middle + half * node count i))
 
 -- | The value of the function at a point of the interval.
@@ -150,7 +164,11 @@ curveValue (Curve middle half coefficients) x = go (sizeofPrimArray coefficients
     go :: Int -> Double -> Double -> Double
     go !k !even' !odd'
       | k < 0 = even' + t * odd'
-      | otherwise = go (k - 2) (even' * t2 + indexPrimArray coefficients k) (odd' * t2 + indexPrimArray coefficients (k + 1))
+      | otherwise =
+        go
+          (k - 2)
+          (even' * t2 + indexPrimArray coefficients k)
+          (odd' * t2 + indexPrimArray coefficients (k + 1))
 
 -- | Chebyshev nodes in (−1, 1).
 node :: Int -> Int -> Double
@@ -206,8 +224,17 @@ patchMatrices = matricesOf nodes
 matricesOf :: Int -> (PrimArray Double, PrimArray Double)
 matricesOf count = (primArrayFromList (concat ofChebyshev), primArrayFromList (concat ofPowers))
   where
-    ofChebyshev = [[(if m == 0 then 1 else 2) / fromIntegral count * cos (fromIntegral m * angle count i) | i <- places] | m <- places]
-    ofPowers = [[sum [c !! k * row !! i | (c, row) <- zip chebyshev ofChebyshev, k < length c] | i <- places] | k <- places]
+    ofChebyshev =
+      [ [weight m * cos (fromIntegral m * angle count i) | i <- places]
+        | m <- places
+      ]
+    weight m = (if m == 0 then 1 else 2) / fromIntegral count
+    ofPowers =
+      [ [ sum [c !! k * row !! i | (c, row) <- zip chebyshev ofChebyshev, k < length c]
+          | i <- places
+        ]
+        | k <- places
+      ]
     places = [0 .. count - 1]
     -- The Chebyshev polynomials by powers.
     chebyshev = map fst (iterate (\(t, next) -> (next, minus (0 : map (2 *) next) t)) ([1], [0, 1]))

@@ -30,7 +30,8 @@ data EquatorialRay = EquatorialRay
 -- | The angular momentum over energy of light on the circular orbit in the plane,
 -- negative for the left-handed one: @±3√(r\/2) − a@ (Bardeen, Press and Teukolsky 1972).
 criticalAngularMomentum :: Handedness -> Spin -> Double
-criticalAngularMomentum handedness hole = side * 3 * sqrt (0.5 * photonOrbitRadius handedness hole) - spinLength hole
+criticalAngularMomentum handedness hole =
+  side * 3 * sqrt (0.5 * photonOrbitRadius handedness hole) - spinLength hole
   where
     side = if handedness == RightHanded then 1 else -1
 
@@ -48,7 +49,8 @@ equatorialRay hole farthest step comesFrom lambda = EquatorialRay escapes (point
     entry = case kerrFate past of
       Escaped (XYZ x _ z) -> comesFrom - atan2 x z
       _ -> comesFrom
-    path = kerrPath reversed (BoyerLindquist entry) (planeRay reversed farthest (-1) (negate lambda))
+    path =
+      kerrPath reversed (BoyerLindquist entry) (planeRay reversed farthest (-1) (negate lambda))
     escapes = case kerrFate path of
       Escaped _ -> True
       _ -> False

@@ -29,37 +29,31 @@ import BlackHole.Vector.XYZ (XYZ (..))
 -- | Follow the path of a ray to its end, which is given, and hand out the segments that
 -- lie in a region. The phase, 0 to 1, is the fraction of a whole step that the first
 -- segment of a passage is long: neighbours in a picture should have different ones.
-followKerr :: Spin -> Region -> Double -> KerrPath -> Fate XYZ -> LightRay -> (a -> PathSegment -> Continue a) -> a -> Followed a
+followKerr ::
+  Spin ->
+  Region ->
+  Double ->
+  KerrPath ->
+  Fate XYZ ->
+  LightRay ->
+  (a -> PathSegment -> Continue a) ->
+  a ->
+  Followed a
 followKerr hole region phase path fate ray gather initial
   | reach <= 0 = finish 0 initial
-  | otherwise = passages 0 windows initial
+  | otherwise = passages 0 (kerrPassages path reach steepest) initial
   where
     !reach = enclosingRadius region
     finish !n state = Followed fate state n
-    !a = spinLength hole
-    !a2 = a * a
-    !lambda = rayLambda ray
-    !eta = rayEta ray
-    !kappa = rayKappa ray
-    !c2 = a2 - lambda * lambda - eta
-    !outer = horizonRadius hole
-    !innerHorizon = innerHorizonRadius hole
-    !wHorizon = 1 / outer
+    !motion = motionOf hole ray
+    !nearHorizon = 0.999999 * wHorizon motion
     fallsIn = case fate of
       Captured -> True
       _ -> False
-    -- The squared angle that the ray turns per Mino time, roughly.
-    !turns2 = max 0 (eta + lambda * lambda)
     !radius = regionRadius region
     !inner = regionInnerRadius region
-    !height = regionHalfHeight region
-    !flare = regionFlare region
-    !longest = regionLongestStep region
-    !vertical = regionVerticalStep region
-    !core = 1 / regionCore region
     -- The greatest |cos θ| of the gas.
-    steepest = min 1 (height / max outer inner + flare)
-    windows = kerrPassages path reach steepest
+    steepest = min 1 (regionHalfHeight region / max (horizonRadius hole) inner + regionFlare region)
 
     passages !n [] state = finish n state
     -- The bound is for light that circles for ever, in every bit.
@@ -67,84 +61,171 @@ followKerr hole region phase path fate ray gather initial
 
     -- Gathers between two Mino times, from the closed form's point.
     begin !n !lead !from !to rest !state =
-      march n lead to (to - from) w w' u (pointCosineRate point) (turning w u) sine cosine rest state
+      march n lead to (to - from) w w' u (pointCosineRate point) rate sine cosine rest state
       where
         !point = kerrPoint path from
         !(Two sine cosine) = direction point
         !w = 1 / pointRadius point
-        !w' = (if pointGrows point then negate else id) (sqrt (max 0 (1 + w * w * (c2 + w * (kappa - a2 * eta * w)))))
+        !w' = (if pointGrows point then negate else id) (radialSpeed motion w)
         !u = pointCosine point
+        !rate = turning motion w u
 
     direction point = let azimuth = pointAzimuth point in Two (sin azimuth) (cos azimuth)
 
-    -- dφ/dτ along the tracing.
-    turning !w !u = negate (lambda / (1 - u * u) + a * w * (1 - a * lambda * w) / (1 - w + a2 * w * w))
-    {-# INLINE turning #-}
-
-    march !n !lead !to !left !w !w' !u !u' !rate0 !sine !cosine rest state
-      | left <= 1e-14 || w >= 0.999999 * wHorizon = passages n rest state
+    march !n !lead !to !left !w !w' !u !u' !rate0 !sine !cosine rest !state
+      | left <= 1e-14 || w >= nearHorizon = passages n rest state
       -- Inside of the gas on the way into the hole.
       | w * inner > 1 && w' > 0 && fallsIn = finish n state
-      | rho <= radius && abs (rM * uM) <= height + flare * rho && rM >= inner = case gather state segment of
-        Continue state' -> next (n + 1) state'
-        Stop state' -> Followed Opaque state' (n + 1)
+      | rho <= radius && abs (rM * uM) <= halfHeightAt region rho && rM >= inner =
+        case gather state segment of
+          Continue state' -> next (n + 1) state'
+          Stop state' -> Followed Opaque state' (n + 1)
       | otherwise = next n state
       where
-        -- The length of a step, as without spin ("BlackHole.Spacetime.Schwarzschild.GasLayer"),
-        -- but for gaps: on the way to the gas it may take most of the distance.
-        !room = max 1e-9 (height * w + flare)
-        !aside = abs u
-        !pace = sqrt (w' * w' / (w * w) + turns2)
-        !climb = abs (u' * room - u * height * w')
-        !within = max 1 (min core (aside * core / room)) / max (pace / longest) (climb / (vertical * room * room))
-        !approach = if aside > room then max within (0.8 * (aside - room) / abs u') else within
-        -- Beside the horizon the azimuth grows as the logarithm of the distance.
-        !beside = max (1e-3 * wHorizon) (0.1 * (wHorizon - w)) / abs w'
-        !wanted = lead * min (min (0.2 / pace) beside) approach
+        !wanted = lead * stepLength motion region w w' u u'
         !step = if left < 1.4 * wanted then left else wanted
         !half = 0.5 * step
-        !(Two wM wM') = advanced half w w' (wForce w) (wForce1 w) (wForce2 w)
-        !(Two w1 w1') = advanced step w w' (wForce w) (wForce1 w) (wForce2 w)
-        !(Two uM uM') = advanced half u u' (uForce u) (uForce1 u) (uForce2 u)
-        !(Two u1 u1') = advanced step u u' (uForce u) (uForce1 u) (uForce2 u)
-        !rateM = turning wM uM
-        !rate1 = turning w1 u1
+        !(Two wM wM') = radiusAfter motion half w w'
+        !(Two w1 w1') = radiusAfter motion step w w'
+        !(Two uM uM') = cosineAfter motion half u u'
+        !(Two u1 u1') = cosineAfter motion step u u'
+        !rateM = turning motion wM uM
+        !rate1 = turning motion w1 u1
         -- Simpson's rule, and the parabola's integral over its first half.
         !(Two sineM cosineM)
           | besidePole = direction (kerrPoint path (to - left + half))
           | otherwise = turnedBy (step / 24 * (5 * rate0 + 8 * rateM - rate1)) sine cosine
         !(Two sine1 cosine1) = turnedBy (step / 6 * (rate0 + 4 * rateM + rate1)) sine cosine
         !rM = 1 / wM
-        !sM = sqrt (1 - uM * uM)
-        !rho = rM * sM
-        -- Rates with respect to Mino time.
-        radialRate = negate wM' * rM * rM
-        climbing = radialRate * uM + rM * uM'
-        horizontal = radialRate * sM - rM * uM * uM' / sM
-        around = rho * rateM
-        segment =
-          PathSegment
-            { segmentMiddle = XYZ (rho * sineM) (rM * uM) (rho * cosineM),
-              segmentRadius = rM,
-              segmentAffineLength = step * (rM * rM + a2 * uM * uM),
-              segmentLength = step * sqrt (horizontal * horizontal + climbing * climbing + around * around),
-              segmentRadialStep = step * radialRate,
-              segmentVerticalStep = step * climbing,
-              segmentMomentum = Momentum (negate radialRate / ((rM - outer) * (rM - innerHorizon))) lambda
-            }
+        !rho = rM * sqrt (1 - uM * uM)
+        segment = segmentAt motion step wM wM' uM uM' rateM sineM cosineM
         -- The azimuth turns too fast for Simpson's rule there.
         !besidePole = max (u * u) (u1 * u1) > 0.9
         next !m
           | besidePole = begin m 1 (to - left + step) to rest
           | otherwise = march m 1 to (left - step) w1 w1' u1 u1' rate1 sine1 cosine1 rest
-
-    wForce w = w * (c2 + w * (1.5 * kappa - 2 * a2 * eta * w))
-    wForce1 w = c2 + w * (3 * kappa - 6 * a2 * eta * w)
-    wForce2 w = 3 * kappa - 12 * a2 * eta * w
-    uForce u = u * (c2 - 2 * a2 * u * u)
-    uForce1 u = c2 - 6 * a2 * u * u
-    uForce2 u = -12 * a2 * u
 {-# INLINE followKerr #-}
+
+-- | The constants of the motion of one ray.
+data RayMotion = RayMotion
+  { -- | a and a².
+    spinOf :: {-# UNPACK #-} !Double,
+    spin2 :: {-# UNPACK #-} !Double,
+    lambdaOf :: {-# UNPACK #-} !Double,
+    etaOf :: {-# UNPACK #-} !Double,
+    kappaOf :: {-# UNPACK #-} !Double,
+    -- | @a² − λ² − η@.
+    square :: {-# UNPACK #-} !Double,
+    -- | The radii of both horizons, and @w@ at the outer one.
+    outerHorizon :: {-# UNPACK #-} !Double,
+    innerHorizon :: {-# UNPACK #-} !Double,
+    wHorizon :: {-# UNPACK #-} !Double
+  }
+
+motionOf :: Spin -> LightRay -> RayMotion
+motionOf hole ray =
+  RayMotion
+    { spinOf = a,
+      spin2 = a * a,
+      lambdaOf = lambda,
+      etaOf = rayEta ray,
+      kappaOf = rayKappa ray,
+      square = a * a - lambda * lambda - rayEta ray,
+      outerHorizon = horizonRadius hole,
+      innerHorizon = innerHorizonRadius hole,
+      wHorizon = 1 / horizonRadius hole
+    }
+  where
+    a = spinLength hole
+    lambda = rayLambda ray
+{-# INLINE motionOf #-}
+
+-- | @|w'|@ at a radius.
+radialSpeed :: RayMotion -> Double -> Double
+radialSpeed (RayMotion _ a2 _ eta kappa c2 _ _ _) w =
+  sqrt (max 0 (1 + w * w * (c2 + w * (kappa - a2 * eta * w))))
+{-# INLINE radialSpeed #-}
+
+-- | dφ\/dτ along the tracing.
+turning :: RayMotion -> Double -> Double -> Double
+turning (RayMotion a a2 lambda _ _ _ _ _ _) !w !u =
+  negate (lambda / (1 - u * u) + a * w * (1 - a * lambda * w) / (1 - w + a2 * w * w))
+{-# INLINE turning #-}
+
+-- | The length of a whole step in Mino time, as without spin
+-- ("BlackHole.Spacetime.Schwarzschild.GasLayer"), but for gaps: on the way to the gas it
+-- may take most of the distance.
+stepLength :: RayMotion -> Region -> Double -> Double -> Double -> Double -> Double
+stepLength motion region !w !w' !u !u' = min (min (0.2 / pace) beside) approach
+  where
+    !height = regionHalfHeight region
+    !core = 1 / regionCore region
+    -- The squared angle that the ray turns per Mino time, roughly.
+    !turns2 = max 0 (etaOf motion + lambdaOf motion * lambdaOf motion)
+    !room = max 1e-9 (height * w + regionFlare region)
+    !aside = abs u
+    !pace = sqrt (w' * w' / (w * w) + turns2)
+    !climb = abs (u' * room - u * height * w')
+    !steep = climb / (regionVerticalStep region * room * room)
+    !within = max 1 (min core (aside * core / room)) / max (pace / regionLongestStep region) steep
+    !approach = if aside > room then max within (0.8 * (aside - room) / abs u') else within
+    -- Beside the horizon the azimuth grows as the logarithm of the distance.
+    !beside = max (1e-3 * wHorizon motion) (0.1 * (wHorizon motion - w)) / abs w'
+{-# INLINE stepLength #-}
+
+-- | The segment of this length in Mino time about a point: @w@ and @u@ with their rates,
+-- the rate of the azimuth, and the azimuth's sine and cosine.
+segmentAt ::
+  RayMotion ->
+  Double ->
+  Double ->
+  Double ->
+  Double ->
+  Double ->
+  Double ->
+  Double ->
+  Double ->
+  PathSegment
+segmentAt motion step w w' u u' rate sine cosine =
+  PathSegment
+    { segmentMiddle = XYZ (rho * sine) (r * u) (rho * cosine),
+      segmentRadius = r,
+      segmentAffineLength = step * (r * r + spin2 motion * u * u),
+      segmentLength =
+        step * sqrt (horizontal * horizontal + climbing * climbing + around * around),
+      segmentRadialStep = step * radialRate,
+      segmentVerticalStep = step * climbing,
+      segmentMomentum = Momentum (negate radialRate / delta) (lambdaOf motion)
+    }
+  where
+    r = 1 / w
+    s = sqrt (1 - u * u)
+    rho = r * s
+    delta = (r - outerHorizon motion) * (r - innerHorizon motion)
+    -- Rates with respect to Mino time.
+    radialRate = negate w' * r * r
+    climbing = radialRate * u + r * u'
+    horizontal = radialRate * s - r * u * u' / s
+    around = rho * rate
+{-# INLINE segmentAt #-}
+
+-- | @w@ and its rate after a time in which it changes little.
+radiusAfter :: RayMotion -> Double -> Double -> Double -> Two
+radiusAfter (RayMotion _ a2 _ eta kappa c2 _ _ _) h w w' =
+  advanced
+    h
+    w
+    w'
+    (w * (c2 + w * (1.5 * kappa - 2 * a2 * eta * w)))
+    (c2 + w * (3 * kappa - 6 * a2 * eta * w))
+    (3 * kappa - 12 * a2 * eta * w)
+{-# INLINE radiusAfter #-}
+
+-- | @u@ and its rate after a time in which it changes little.
+cosineAfter :: RayMotion -> Double -> Double -> Double -> Two
+cosineAfter (RayMotion _ a2 _ _ _ c2 _ _ _) h u u' =
+  advanced h u u' (u * (c2 - 2 * a2 * u * u)) (c2 - 6 * a2 * u * u) (-12 * a2 * u)
+{-# INLINE cosineAfter #-}
 
 -- | A number and its rate.
 data Two = Two {-# UNPACK #-} !Double {-# UNPACK #-} !Double
@@ -154,7 +235,9 @@ turnedBy :: Double -> Double -> Double -> Two
 turnedBy angle s c
   | abs angle < 0.25 =
     let angle2 = angle * angle
-     in turned (angle * (1 - angle2 * (1 / 6 - angle2 * (1 / 120 - angle2 / 5040)))) (1 - angle2 * (0.5 - angle2 * (1 / 24 - angle2 * (1 / 720 - angle2 / 40320))))
+     in turned
+          (angle * (1 - angle2 * (1 / 6 - angle2 * (1 / 120 - angle2 / 5040))))
+          (1 - angle2 * (0.5 - angle2 * (1 / 24 - angle2 * (1 / 720 - angle2 / 40320))))
   | otherwise = turned (sin angle) (cos angle)
   where
     turned s1 c1 = Two (s * c1 + c * s1) (c * c1 - s * s1)

@@ -31,7 +31,8 @@ data Spin
   deriving (Eq, Ord)
 
 instance Show Spin where
-  showsPrec depth hole = showParen (depth > 10) (showString "Spin " . showsPrec 11 (dimensionlessSpin hole))
+  showsPrec depth hole =
+    showParen (depth > 10) (showString "Spin " . showsPrec 11 (dimensionlessSpin hole))
 
 -- | The spin of a hole with a horizon. 'Nothing' unless @−1 < s < 1@.
 spin :: Double -> Maybe Spin

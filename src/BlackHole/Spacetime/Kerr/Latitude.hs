@@ -65,7 +65,17 @@ data Phase = Phase
 latitude :: Precision -> Spin -> LightRay -> Maybe Latitude
 latitude precision hole ray
   | parameter <= 0.5 =
-    Just (Latitude base2 a2 reach (rayLambda ray / b) times (periodicIntegral terms precessing) start (timeOf times start))
+    Just
+      Latitude
+        { _latitudeBase2 = base2,
+          _latitudeSpin2 = a2,
+          _latitudeReach = reach,
+          _latitudeCosIota = rayLambda ray / b,
+          _latitudeTime = times,
+          _latitudePrecession = periodicIntegral terms precessing,
+          _latitudeStart = start,
+          _latitudeStartTime = timeOf times start
+        }
   | otherwise = Nothing
   where
     a2 = spinLength hole * spinLength hole
@@ -153,8 +163,9 @@ phaseSpeed l phase = sqrt (_latitudeBase2 l + _latitudeSpin2 l * u * u)
 planeCrossingTimes :: Latitude -> [(Double, Phase)]
 planeCrossingTimes l
   | _latitudeReach l < 1e-12 = []
-  | otherwise = [(time k, Phase (pi * k) 0 (if even (round k :: Int) then 1 else -1)) | k <- iterate (+ 1) first]
+  | otherwise = [(time k, Phase (pi * k) 0 (sign k)) | k <- iterate (+ 1) first]
   where
+    sign k = if even (round k :: Int) then 1 else -1
     first = fromIntegral (floor (phaseAngle (_latitudeStart l) / pi + 1e-12) + 1 :: Int) :: Double
     time k = pi * k * integralPerRadian (_latitudeTime l) - _latitudeStartTime l
 

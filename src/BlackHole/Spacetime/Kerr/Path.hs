@@ -27,6 +27,7 @@ import BlackHole.Spacetime.Kerr.Latitude
 import BlackHole.Spacetime.Kerr.PowerSeries
 import BlackHole.Spacetime.Kerr.Precision
 import BlackHole.Spacetime.Kerr.Radial
+import BlackHole.Spacetime.Kerr.RadialPotential (radialPotential)
 import BlackHole.Spacetime.Kerr.Sight
 import BlackHole.Vector.XYZ (XYZ (..))
 
@@ -71,7 +72,10 @@ data KerrPoint = KerrPoint
 
 -- | The angle that a straight line would sweep from the start of a ray to infinity.
 kerrStraightAngle :: LightRay -> Double
-kerrStraightAngle ray = arcTangent2 (rayRadius ray * sqrt (turning * turning + rayPolarRate ray * rayPolarRate ray)) (rayRadialRate ray)
+kerrStraightAngle ray =
+  arcTangent2
+    (rayRadius ray * sqrt (turning * turning + rayPolarRate ray * rayPolarRate ray))
+    (rayRadialRate ray)
   where
     turning = rayLambda ray / raySine ray
 
@@ -81,9 +85,10 @@ kerrPath = kerrPathWith FullPrecision
 
 -- | 'kerrPath' with a choice of precision.
 kerrPathWith :: Precision -> Spin -> Azimuth -> LightRay -> KerrPath
-kerrPathWith precision hole azimuth ray = case (radial precision hole ray, latitude precision hole ray) of
-  (Just r, Just l) -> closedPath hole azimuth ray r l
-  _ -> seriesOnly hole azimuth ray
+kerrPathWith precision hole azimuth ray =
+  case (radial precision hole ray, latitude precision hole ray) of
+    (Just r, Just l) -> closedPath hole azimuth ray r l
+    _ -> seriesOnly hole azimuth ray
 
 closedPath :: Spin -> Azimuth -> LightRay -> Radial -> Latitude -> KerrPath
 closedPath hole azimuth ray r l =
@@ -98,7 +103,7 @@ closedPath hole azimuth ray r l =
            in Escaped (XYZ x (phaseCosine l phase) z),
       kerrPoint = \t -> pointAt t (phaseAfter l t),
       kerrPlanePoints =
-        [pointAt t phase | (t, phase) <- takeWhile ((< time) . fst) (take 1000 (planeCrossingTimes l))],
+        map (uncurry pointAt) (takeWhile ((< time) . fst) (take 1000 (planeCrossingTimes l))),
       kerrPassages = \limit steepest -> case timeWithin r limit of
         Nothing -> []
         Just (from, to) ->
@@ -106,7 +111,10 @@ closedPath hole azimuth ray r l =
             | (begin, close) <- takeWhile ((< to) . fst) (take 1000 (timesNearPlane l steepest)),
               close > from
           ],
-      kerrSweptAngle = if isInfinite time then Nothing else Just (phaseAngle (phaseAfter l time) - phaseAngle (phaseAtStart l))
+      kerrSweptAngle =
+        if isInfinite time
+          then Nothing
+          else Just (phaseAngle (phaseAfter l time) - phaseAngle (phaseAtStart l))
     }
   where
     (end, time) = radialEnd r
@@ -114,7 +122,14 @@ closedPath hole azimuth ray r l =
     lambda = rayLambda ray
     kappa = rayKappa ray
     inside = rayRadius ray <= horizonRadius hole
-    pointAt t phase = KerrPoint radius (phaseCosine l phase) (arcTangent2 x z - correction) (stateGrows state) (phaseRate l phase)
+    pointAt t phase =
+      KerrPoint
+        { pointRadius = radius,
+          pointCosine = phaseCosine l phase,
+          pointAzimuth = arcTangent2 x z - correction,
+          pointGrows = stateGrows state,
+          pointCosineRate = phaseRate l phase
+        }
       where
         state = stateAfter r t
         radius = stateRadius state
@@ -122,15 +137,19 @@ closedPath hole azimuth ray r l =
         correction = if inside && radius > horizonRadius hole then ingoingLead hole radius else 0
     -- From inside the horizon light comes in the ingoing azimuth, which has no
     -- pole on its way.
-    turned phase state
-      | inside = against (start + arcTangent2 s0 c0 - precession l phase - regularDragging regular r state) (greatCircle l phase)
-      | otherwise = against (start + arcTangent2 s0 c0 - precession l phase - dragging hole lambda r state) (greatCircle l phase)
+    turned phase state =
+      against (start + arcTangent2 s0 c0 - precession l phase - dragged) (greatCircle l phase)
+      where
+        dragged
+          | inside = regularDragging regular r state
+          | otherwise = dragging hole lambda r state
     start = case azimuth of
       Ingoing phi | not inside -> phi - ingoingLead hole (rayRadius ray)
       Ingoing phi -> phi
       BoyerLindquist phi -> phi
     (c0, s0) = greatCircle l (phaseAtStart l)
-    regular q = a * kappa / (q * q + a * (a - lambda) + sqrt (max 0 (radialPotential hole ray q))) - a
+    regular q =
+      a * kappa / (q * q + a * (a - lambda) + sqrt (max 0 (radialPotential hole ray q))) - a
 
 seriesOnly :: Spin -> Azimuth -> LightRay -> KerrPath
 seriesOnly hole azimuth ray =
@@ -144,8 +163,10 @@ seriesOnly hole azimuth ray =
              in Escaped (XYZ x (seriesCosine end) z)
           else Captured,
       kerrPoint = pointAt,
-      kerrPlanePoints = filter ((> horizonRadius hole) . pointRadius) (map pointAt (seriesCrossingTimes path)),
-      kerrPassages = \limit steepest -> if steepest < 0.999 * leastCosine then [] else seriesPassages path limit steepest,
+      kerrPlanePoints =
+        filter ((> horizonRadius hole) . pointRadius) (map pointAt (seriesCrossingTimes path)),
+      kerrPassages = \limit steepest ->
+        if steepest < 0.999 * leastCosine then [] else seriesPassages path limit steepest,
       kerrSweptAngle = Nothing
     }
   where
@@ -153,8 +174,9 @@ seriesOnly hole azimuth ray =
     time = seriesEnd path
     -- The least |cos θ|: light with η < 0 stays on one side of the plane.
     leastCosine
-      | rayEta ray < 0 = sqrt (max 0 (-2 * rayEta ray / (excess + sqrt (max 0 (excess * excess + 4 * a2 * rayEta ray)))))
+      | rayEta ray < 0 = sqrt (max 0 (-2 * rayEta ray / (excess + sqrt (max 0 discriminant))))
       | otherwise = 0
+    discriminant = excess * excess + 4 * a2 * rayEta ray
     excess = a2 - rayEta ray - rayLambda ray * rayLambda ray
     a2 = spinLength hole * spinLength hole
     outward = rayRadialRate ray > 0
@@ -165,8 +187,16 @@ seriesOnly hole azimuth ray =
       Ingoing phi | outward -> phi
       Ingoing phi -> phi - 2 * ingoingLead hole (rayRadius ray)
       BoyerLindquist phi -> phi + regular (rayRadius ray)
-    turned point = let (c, s) = seriesHorizontal point in against (start - seriesFrame point) (c, negate s)
-    pointAt t = KerrPoint r (seriesCosine point) (arcTangent2 x z - (if r > horizonRadius hole then regular r else 0)) outward (seriesCosineRate path t)
+    turned point =
+      let (c, s) = seriesHorizontal point in against (start - seriesFrame point) (c, negate s)
+    pointAt t =
+      KerrPoint
+        { pointRadius = r,
+          pointCosine = seriesCosine point,
+          pointAzimuth = arcTangent2 x z - (if r > horizonRadius hole then regular r else 0),
+          pointGrows = outward,
+          pointCosineRate = seriesCosineRate path t
+        }
       where
         point = seriesPoint path t
         r = seriesRadius point

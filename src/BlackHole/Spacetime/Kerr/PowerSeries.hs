@@ -62,8 +62,9 @@ order = 28
 -- | The path of a ray that moves inwards or outwards without turning.
 seriesPath :: Spin -> LightRay -> SeriesPath
 seriesPath hole ray =
-  SeriesPath (go 0 (1 / rayRadius ray) (negate (rayRadialRate ray) / (rayRadius ray * rayRadius ray)) start velocity 0)
+  SeriesPath (go 0 (1 / r) (negate (rayRadialRate ray) / (r * r)) start velocity 0)
   where
+    r = rayRadius ray
     a = spinLength hole
     a2 = a * a
     lambda = rayLambda ray
@@ -91,16 +92,28 @@ seriesPath hole ray =
         done = past step
         past t = (evaluate w t - edge) * (w0 - edge) <= 0
         w = take order (w0 : integral (w1 : integral wForce))
-        wForce = scale (a2 - lambda * lambda - eta) w .+ scale (1.5 * kappa) w2 .+ scale (-2 * a2 * eta) (w2 .* w)
+        wForce =
+          scale (a2 - lambda * lambda - eta) w
+            .+ scale (1.5 * kappa) w2
+            .+ scale (-2 * a2 * eta) (w2 .* w)
         w2 = w .* w
         x = take order (x0 : integral (x1 : integral (negated (stiffness .* x))))
         y = take order (y0 : integral (y1 : integral (scale a2 y .+ negated (stiffness .* y))))
         z = take order (z0 : integral (z1 : integral (negated (stiffness .* z))))
         stiffness = scale (2 * a2) (y .* y) `plus` (eta + lambda * lambda)
         -- −a + aκ/(P + √R), with √R = |w'|/w².
-        frame = take order (frame0 : integral (scale (a * kappa) (w2 ./ (scale (a * (a - lambda)) w2 `plus` 1 .+ speed)) `plus` negate a))
+        frame = take order (frame0 : integral (scale (a * kappa) (w2 ./ energy) `plus` negate a))
+        energy = scale (a * (a - lambda)) w2 `plus` 1 .+ speed
         speed = scale (if rayRadialRate ray > 0 then -1 else 1) (derivative w)
-        step = minimum (2 : [(1e-17 / size) ** (1 / fromIntegral n) | series <- [w, x, y, z, frame], (n, v) <- [(order - 2, series !! (order - 2)), (order - 3, series !! (order - 3))], let size = abs v, size > 0])
+        step =
+          minimum $
+            2 :
+              [ (1e-17 / size) ** (1 / fromIntegral n)
+                | series <- [w, x, y, z, frame],
+                  n <- [order - 2, order - 3],
+                  let size = abs (series !! n),
+                  size > 0
+              ]
 
 -- | The Mino time of the whole path.
 seriesEnd :: SeriesPath -> Double
@@ -141,7 +154,8 @@ seriesCrossingTimes (SeriesPath parts) =
 
 -- | d(cos θ)\/dτ after a Mino time.
 seriesCosineRate :: SeriesPath -> Double -> Double
-seriesCosineRate path time = let (part, t) = partAt path time in evaluate (derivative (partY part)) t
+seriesCosineRate path time =
+  let (part, t) = partAt path time in evaluate (derivative (partY part)) t
 
 -- | The Mino times between which the path may be within a radius and have at most this
 -- @|cos θ|@: whole parts, of which one with neither at its ends nor in its middle is

@@ -42,7 +42,8 @@ integrate panels f from to = go 0 0
 -- until every panel is at most 2 wide and lies at least its half width from a pole: the
 -- cost grows with the logarithm of the distance. What lies within 1e-18 of the range from
 -- a pole, where the integral may diverge, is left out.
-integrateBeside :: Precision -> (Double -> Double) -> (Double -> Double) -> Double -> Double -> Double
+integrateBeside ::
+  Precision -> (Double -> Double) -> (Double -> Double) -> Double -> Double -> Double
 integrateBeside precision distance f = go (60 :: Int)
   where
     -- The positive nodes, each followed by its weight.
@@ -61,7 +62,8 @@ integrateBeside precision distance f = go (60 :: Int)
       | i >= sizeofPrimArray rule = total
       | otherwise =
         let !apart = exp (half * indexPrimArray rule i)
-         in panel centre half (i + 2) (total + indexPrimArray rule (i + 1) * (f (centre * apart) + f (centre / apart)))
+            !weight = indexPrimArray rule (i + 1)
+         in panel centre half (i + 2) (total + weight * (f (centre * apart) + f (centre / apart)))
 {-# INLINE integrateBeside #-}
 
 eightNodes, sixteenNodes :: PrimArray Double

@@ -24,17 +24,14 @@ module BlackHole.Spacetime.Kerr.Radial
     stateAtEnd,
     dragging,
     regularDragging,
-    radialPotential,
-    photonOrbitOffset,
-    lightEscapes,
   )
 where
 
-import BlackHole.Numeric.Angle (arcTangent2)
 import BlackHole.Numeric.Elliptic
 import BlackHole.Spacetime.Kerr.Landmarks
 import BlackHole.Spacetime.Kerr.Precision
 import BlackHole.Spacetime.Kerr.Quadrature
+import BlackHole.Spacetime.Kerr.RadialPotential
 import BlackHole.Spacetime.Kerr.Sight
 
 -- | The radial motion of one ray.
@@ -83,53 +80,6 @@ data RadialState = RadialState
     stateGrows :: !Bool,
     stateV :: {-# UNPACK #-} !Double
   }
-
--- | @R(r) = P² − Δκ@ with @P = r² + a² − aλ@: the square of @dr\/dτ@.
-radialPotential :: Spin -> LightRay -> Double -> Double
-radialPotential hole ray r = p * p - delta * kappa
-  where
-    a = spinLength hole
-    lambda = rayLambda ray
-    p = r * r + a * (a - lambda)
-    delta = kerrDelta hole r
-    kappa = rayKappa ray
-
--- | A smooth measure of how far a ray is from one that circles for ever on a photon
--- orbit: the squared half distance of the two greatest roots over the squared radius of
--- the orbit, positive for light that turns back there and negative for light that passes
--- through. 'Nothing' where these roots belong to no orbit outside the horizon.
-photonOrbitOffset :: Spin -> LightRay -> Maybe Double
-photonOrbitOffset hole ray
-  | z > horizonRadius hole = Just (upper / (z * z))
-  | otherwise = Nothing
-  where
-    Roots z upper _ = rootsOf hole ray
-
--- | Whether a ray from outside the horizon comes from the sky, and not from the hole.
-lightEscapes :: Spin -> LightRay -> Bool
-lightEscapes hole ray
-  | upper < 0 || z + sqrt upper <= horizonRadius hole = rayRadialRate ray > 0
-  | otherwise = rayRadius ray > z
-  where
-    Roots z upper _ = rootsOf hole ray
-
--- | The four roots of @R@, as @z ± √upper@ and @−z ± √lower@.
-data Roots
-  = Roots
-      {-# UNPACK #-} !Double
-      {-# UNPACK #-} !Double
-      {-# UNPACK #-} !Double
-
-rootsOf :: Spin -> LightRay -> Roots
-rootsOf hole ray =
-  Roots z (negate (0.5 * c2 + z * z + kappa / (4 * z))) (kappa / (4 * z) - 0.5 * c2 - z * z)
-  where
-    a = spinLength hole
-    lambda = rayLambda ray
-    eta = rayEta ray
-    c2 = (a - lambda) * (a + lambda) - eta
-    kappa = rayKappa ray
-    z = ferrari c2 kappa (negate (a * a * eta))
 
 -- | The radial motion of a ray, and the Mino time until it ends (infinite for a
 -- ray that approaches a photon orbit for ever, in every bit). 'Nothing' if no
@@ -198,23 +148,6 @@ radial precision hole ray
           _ | grows || turns -> (AtInfinity, argumentAtInfinity precision complement shape)
           _ -> (AtHorizon, negative (position horizon))
 
--- | Ferrari's @z > 0@ of @r⁴ + c₂r² + κr + c₀@ with κ > 0: minus half the sum of
--- the two smaller roots.
-ferrari :: Double -> Double -> Double -> Double
-ferrari c2 kappa c0 = sqrt (max 0 (0.5 * omegas - c2 / 6))
-  where
-    p = negate (c2 * c2 / 12) - c0
-    q = negate (c2 / 3) * (c2 * c2 / 36 - c0) - kappa * kappa / 8
-    discriminant = p * p * p / 27 + 0.25 * q * q
-    omegas
-      | discriminant >= 0 =
-        -- Of the two cube roots the greater by amount; their product is −p/3.
-        let big = cubeRoot (negate (0.5 * q) + (if q <= 0 then 1 else -1) * sqrt discriminant)
-         in if big == 0 then 0 else big - p / (3 * big)
-      | otherwise =
-        2 * sqrt (negate p / 3) * cos (arcTangent2 (sqrt (negate discriminant)) (negate (0.5 * q)) / 3)
-    cubeRoot x = signum x * abs x ** (1 / 3)
-
 -- | The elliptic argument and the variable @v@ at a radius, both as if on the way
 -- outwards.
 argumentAt :: Precision -> Double -> Shape -> Double -> (Double, Double)
@@ -225,7 +158,9 @@ argumentAt precision complement shape r = case shape of
     half root (2 * sqrt (a1 * b1 * (r - r1) * (r - r2))) (a1 * (r - r1) - b1 * (r - r2))
   where
     quarter sine2 cosine2 =
-      (quadrant precision complement (max 0 sine2) (max 0 cosine2), asinh (sqrt (max 0 sine2 / cosine2)))
+      ( quadrant precision complement (max 0 sine2) (max 0 cosine2),
+        asinh (sqrt (max 0 sine2 / cosine2))
+      )
     half = halfTurn precision complement
 
 -- | 'argumentAt' at infinity, on the way outwards.
@@ -255,7 +190,8 @@ halfTurn precision complement root sine cosine
 
 -- | Where the motion ends, and after what Mino time.
 radialEnd :: Radial -> (RadialEnd, Double)
-radialEnd radius = (_radialEnd radius, (_radialStop radius - _radialStart radius) / _radialRate radius)
+radialEnd radius =
+  (_radialEnd radius, (_radialStop radius - _radialStart radius) / _radialRate radius)
 
 -- | The Mino times between which the ray is within a radius; 'Nothing' if it never is.
 timeWithin :: Radial -> Double -> Maybe (Double, Double)
@@ -273,12 +209,14 @@ timeWithin radius limit
         | otherwise -> between shape
       -- The turning point is the farthest.
       shape@(Inner _ _ r3 _)
-        | starts -> (0, if r3 <= limit || start > 0 then total else timeAt (negate (argument shape)))
+        | starts -> (0, if r3 <= limit || start > 0 then total else mirrored shape)
         | otherwise -> (max 0 (timeAt (argument shape)), total)
       shape -> between shape
-    argument shape = fst (argumentAt (_radialPrecision radius) (_radialComplement radius) shape limit)
+    argument shape =
+      fst (argumentAt (_radialPrecision radius) (_radialComplement radius) shape limit)
+    mirrored shape = timeAt (negate (argument shape))
     between shape =
-      ( if starts then 0 else if start < 0 then timeAt (negate (argument shape)) else 1 / 0,
+      ( if starts then 0 else if start < 0 then mirrored shape else 1 / 0,
         case end of
           AtInfinity -> timeAt (argument shape)
           AtHorizon -> total
@@ -335,7 +273,8 @@ regularDragging = alongRadius (const (1 / 0))
 
 alongRadius :: (Double -> Double) -> (Double -> Double) -> Radial -> RadialState -> Double
 alongRadius toPole rate radius state =
-  integrateBeside (_radialPrecision radius) toPole integrand (_radialStartV radius) (stateV state) / _radialRate radius
+  integrateBeside (_radialPrecision radius) toPole integrand (_radialStartV radius) (stateV state)
+    / _radialRate radius
   where
     !shape = _radialShape radius
     !complement = _radialComplement radius

@@ -25,7 +25,8 @@ data Shadow = Shadow
 -- bisections.
 shadow :: Spin -> Place -> Maybe Shadow
 shadow hole place@(Place r polarAngle)
-  | r > ergosphereRadius hole (cos polarAngle) = Just (Shadow hole place (0.5 * (greatest + least)) (0.5 * (greatest - least)))
+  | r > ergosphereRadius hole (cos polarAngle) =
+    Just (Shadow hole place (0.5 * (greatest + least)) (0.5 * (greatest - least)))
   | otherwise = Nothing
   where
     rim l = polarPotential hole place l >= 0
@@ -40,7 +41,8 @@ sineOf = max 1e-100 . sin . placePolarAngle
 -- | Carter's constant η of the orbit with λ; free of the division by @a@ that the
 -- textbook form has.
 sphericalEta :: Spin -> Double -> Double
-sphericalEta hole lambda = 2 * r * (r * r + a * a - a * lambda) / (r - 0.5) - (lambda - a) * (lambda - a)
+sphericalEta hole lambda =
+  2 * r * (r * r + a * a - a * lambda) / (r - 0.5) - (lambda - a) * (lambda - a)
   where
     a = spinLength hole
     r = sphericalOrbitRadius hole lambda
@@ -74,5 +76,7 @@ shadowEdge (Shadow hole place@(Place r polarAngle) middle halfWidth) alpha =
     p = r * r + a * a - a * lambda
     kappa = eta + (lambda - a) * (lambda - a)
     -- Light from an orbit farther in than the observer is seen looking inwards.
-    radialPart = (if orbitRadius < r then -1 else 1) * sqrt (max 0 (f2 * (p * p - delta * kappa) / (sigma * delta)))
+    radialPart =
+      (if orbitRadius < r then -1 else 1)
+        * sqrt (max 0 (f2 * (p * p - delta * kappa) / (sigma * delta)))
     across = (negate (a * r * s / sigma) - l * f2) / sqrt delta

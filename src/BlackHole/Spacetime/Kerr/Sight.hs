@@ -138,7 +138,8 @@ seer hole (Place r polarAngle) motion =
       RightHanded -> sqrt q2 / (s * (sqrt (2 * r) + a * sqrt q2 * s))
       LeftHanded -> negate (sqrt q2) / (s * (sqrt (2 * r) - a * sqrt q2 * s))
     turning v
-      | v * v < 1 = Turning v (1 / sqrt ((1 - v) * (1 + v))) alpha (omega * varpi) (sqrt (sigma * delta))
+      | v * v < 1 =
+        Turning v (1 / sqrt ((1 - v) * (1 + v))) alpha (omega * varpi) (sqrt (sigma * delta))
       | otherwise = Impossible
 
 -- | 'lightRay' of a prepared observer.

@@ -34,7 +34,7 @@ import BlackHole.Numeric.Floor (turnFraction)
 import BlackHole.Spacetime.Fate
 import BlackHole.Spacetime.Kerr.Landmarks
 import BlackHole.Spacetime.Kerr.Path
-import BlackHole.Spacetime.Kerr.Radial (lightEscapes)
+import BlackHole.Spacetime.Kerr.RadialPotential (lightEscapes)
 import BlackHole.Spacetime.Kerr.Sight
 import BlackHole.Spacetime.Schwarzschild.LensDifferential (LensChanges (..))
 import BlackHole.Vector.Patch
@@ -67,15 +67,30 @@ data Sector
 skyTable :: Spin -> Place -> SkyTable
 skyTable hole place
   | placeRadius place > horizonRadius hole =
-    prepared (arrayFromListN sectorCount [sector (5 :: Int) (sectorWidth * (fromIntegral i + 0.5) - pi) (0.5 * sectorWidth) | i <- [0 .. sectorCount - 1]])
+    prepared . arrayFromListN sectorCount $
+      [ sector (5 :: Int) (sectorWidth * (fromIntegral i + 0.5) - pi) (0.5 * sectorWidth)
+        | i <- [0 .. sectorCount - 1]
+      ]
   | otherwise = prepared (arrayFromListN 0 [])
   where
-    prepared = SkyTable hole place (cos (placePolarAngle place)) (sqrt (kerrDelta hole (placeRadius place)))
+    prepared =
+      SkyTable
+        hole
+        place
+        (cos (placePolarAngle place))
+        (sqrt (kerrDelta hole (placeRadius place)))
     sector depth middle half = case curve 1e-11 16 (edgeAt hole place) middle half of
-      Just edge -> Sector edge (arrayFromListN rangeCount [patch tolerance 6 (escape edge) (Rectangle (rangeWidth * (fromIntegral k + 0.5)) (0.5 * rangeWidth) middle half) | k <- [0 .. rangeCount - 1]])
+      Just edge ->
+        Sector edge . arrayFromListN rangeCount $
+          [ patch tolerance 6 (escape edge) (Rectangle (range k) (0.5 * rangeWidth) middle half)
+            | k <- [0 .. rangeCount - 1]
+          ]
       Nothing
-        | depth > 0 -> Halves middle (sector (depth - 1) (middle - 0.5 * half) (0.5 * half)) (sector (depth - 1) (middle + 0.5 * half) (0.5 * half))
+        | depth > 0 ->
+          let part centre = sector (depth - 1) centre (0.5 * half)
+           in Halves middle (part (middle - 0.5 * half)) (part (middle + 0.5 * half))
         | otherwise -> NoSector
+    range k = rangeWidth * (fromIntegral k + 0.5)
     escape edge x epsilon = do
       ray <- rayTowards hole place (curveValue edge epsilon * (1 - exp (negate x))) epsilon
       case kerrFate (kerrPathWith PicturePrecision hole (BoyerLindquist 0) ray) of
@@ -100,7 +115,9 @@ closest = exp (negate rangeWidth * fromIntegral rangeCount)
 
 -- | @w_c@ at an angle ε: light with a smaller @w@ comes from the sky.
 edgeAt :: Spin -> Place -> Double -> Double
-edgeAt hole place epsilon = bisect (\w -> maybe False (lightEscapes hole) (rayTowards hole place w epsilon)) 0 1
+edgeAt hole place epsilon = bisect (maybe False (lightEscapes hole) . ray) 0 1
+  where
+    ray w = rayTowards hole place w epsilon
 
 -- | The ray with the parameters @w@ and ε at a place outside the horizon; 'Nothing' for
 -- light that would have no energy at infinity, inside the ergosphere.
@@ -141,7 +158,10 @@ data Parameters = Parameters {-# UNPACK #-} !Double {-# UNPACK #-} !Double
 parametersOf :: SkyTable -> LightRay -> Parameters
 parametersOf (SkyTable hole _ _ rootDelta _) ray =
   Parameters
-    (quarterTangent (rayRadialRate ray * scale) (rootDelta * sqrt (across * across + polar * polar) * scale))
+    ( quarterTangent
+        (rayRadialRate ray * scale)
+        (rootDelta * sqrt (across * across + polar * polar) * scale)
+    )
     (arcTangent2 polar across)
   where
     a = spinLength hole
@@ -162,8 +182,9 @@ data AtAngle = AtAngle !Sector {-# UNPACK #-} !Double {-# UNPACK #-} !Double
 sectorOf :: SkyTable -> LightRay -> Maybe AtAngle
 sectorOf table@(SkyTable _ _ _ _ sectors) ray
   | sizeofArray sectors == 0 || not (tableServes table ray) = Nothing
-  | otherwise = go (indexArray sectors (max 0 (min (sectorCount - 1) (truncate ((epsilon + pi) / sectorWidth)))))
+  | otherwise = go (indexArray sectors (max 0 (min (sectorCount - 1) number)))
   where
+    number = truncate ((epsilon + pi) / sectorWidth)
     !(Parameters w epsilon) = parametersOf table ray
     go sector = case sector of
       Halves middle low high -> go (if epsilon < middle then low else high)
@@ -182,8 +203,9 @@ find :: SkyTable -> LightRay -> Found
 find table ray = case sectorOf table ray of
   Just (AtAngle (Sector edge patches) w epsilon)
     | distance < negate closest -> FromHole
-    | distance > closest -> OnPatch (indexArray patches (min (rangeCount - 1) (truncate (x / rangeWidth)))) x epsilon
+    | distance > closest -> OnPatch (indexArray patches (min (rangeCount - 1) range)) x epsilon
     where
+      range = truncate (x / rangeWidth)
       wc = curveValue edge epsilon
       distance = (wc - w) / wc
       x = max 0 (negate (log distance))
@@ -212,7 +234,11 @@ tabulatedChanges table azimuth ray neighbour1 neighbour2 = case find table ray o
       OnPatch _ x2 epsilon2 <- find table neighbour2,
       Just (Changing alongX alongEpsilon) <- patchChange known x epsilon ->
       let towards x' epsilon' =
-            turnedBy table azimuth ((x' - x) *^ alongX ^+^ (2 * pi * turnFraction ((epsilon' - epsilon) / (2 * pi))) *^ alongEpsilon)
+            turnedBy
+              table
+              azimuth
+              ((x' - x) *^ alongX ^+^ shortWay (epsilon' - epsilon) *^ alongEpsilon)
+          shortWay angle = 2 * pi * turnFraction (angle / (2 * pi))
        in Just $! LensChanges (towards x1 epsilon1) (towards x2 epsilon2)
   _ -> Nothing
 
@@ -221,7 +247,8 @@ tabulatedChanges table azimuth ray neighbour1 neighbour2 = case find table ray o
 -- edge in radians. 'Nothing' where the table does not apply.
 tabulatedOffset :: SkyTable -> LightRay -> Maybe Double
 tabulatedOffset table ray
-  | Just (AtAngle (Sector edge _) w epsilon) <- sectorOf table ray = Just (w - curveValue edge epsilon)
+  | Just (AtAngle (Sector edge _) w epsilon) <- sectorOf table ray =
+    Just (w - curveValue edge epsilon)
   | otherwise = Nothing
 
 -- | A direction for an observer at an azimuth, from that for an observer at azimuth 0.

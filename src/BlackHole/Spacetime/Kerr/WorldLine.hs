@@ -42,7 +42,8 @@ kerrInfallRadius hole c from time
 -- proper time; 'Nothing' where there is no such geodesic.
 kerrOrbitalPhase :: Spin -> Double -> Double -> Maybe Double
 kerrOrbitalPhase hole r time
-  | r > photonOrbitRadius RightHanded hole = Just (time / sqrt (2 * r * r * r - 3 * r * r + 2 * a * root))
+  | r > photonOrbitRadius RightHanded hole =
+    Just (time / sqrt (2 * r * r * r - 3 * r * r + 2 * a * root))
   | otherwise = Nothing
   where
     a = spinLength hole
