@@ -89,7 +89,12 @@ withDrawing program action = do
   hSetBuffering stdout LineBuffering
   folder <- getTemporaryDirectory
   let output = folder </> "blackhole-bench.png"
-  action (Drawing (timeToDraw program output) (processorTimeToDraw program output) (memoryToDraw program output))
+  action
+    Drawing
+      { drawingTime = timeToDraw program output,
+        drawingProcessorTime = processorTimeToDraw program output,
+        drawingMemory = memoryToDraw program output
+      }
     `finally` (removeFile output `catchIOError` const (pure ()))
 
 works :: [Work]
@@ -175,13 +180,27 @@ reportScaling drawing work = do
 
 reportSpins :: Drawing -> IO ()
 reportSpins drawing = do
-  printf "%-46s %8s %8s %6s  %s\n" "a spin of 0.9 against none, processor time" "0, s" "0.9, s" "ratio" "target"
+  printf
+    "%-46s %8s %8s %6s  %s\n"
+    "a spin of 0.9 against none, processor time"
+    "0, s"
+    "0.9, s"
+    "ratio"
+    "target"
   mapM_ (reportSpin drawing) spins
 
 reportSpin :: Drawing -> Work -> IO ()
 reportSpin drawing work = do
-  (without, with) <- inTurns 5 (drawingProcessorTime drawing ["--spin", "0"] work) (drawingProcessorTime drawing ["--spin", "0.9"] work)
-  printf "%-46s %8.3f %8.3f %6.2f  %s\n" (workName work) without with (with / without) (workTarget work)
+  (without, with) <- inTurns 5 (timeWith "0") (timeWith "0.9")
+  printf
+    "%-46s %8.3f %8.3f %6.2f  %s\n"
+    (workName work)
+    without
+    with
+    (with / without)
+    (workTarget work)
+  where
+    timeWith s = drawingProcessorTime drawing ["--spin", s] work
 
 reportPrice :: Drawing -> (String, [String], [String]) -> IO ()
 reportPrice drawing (name, before, after) = do
@@ -227,9 +246,21 @@ reportErrors = do
 -- | Prints the errors of the table around a rotating hole, relative to the closed form.
 reportKerrErrors :: IO ()
 reportKerrErrors = do
-  printf "%-46s %8s %8s %6s %12s\n" "error around a rotating hole (1e-6, 1e-5)" "sky" "crossing" "fates" "closed form"
+  printf
+    "%-46s %8s %8s %6s %12s\n"
+    "error around a rotating hole (1e-6, 1e-5)"
+    "sky"
+    "crossing"
+    "fates"
+    "closed form"
   sequence_
-    [ printf "%-46s %8.1e %8.1e %6d %10.2f %%\n" (printf "spin %.3f, r = %.1f, inclination %.0f°" s r inclination :: String) (skyError found) (crossingError found) (wrongFates found) (100 * closed)
+    [ printf
+        "%-46s %8.1e %8.1e %6d %10.2f %%\n"
+        (printf "spin %.3f, r = %.1f, inclination %.0f°" s r inclination :: String)
+        (skyError found)
+        (crossingError found)
+        (wrongFates found)
+        (100 * closed)
       | Just hole <- map spin [0.01, 0.5, 0.9, 0.998, -0.998],
         (r, inclination) <- [(1.5, 60), (5, 20), (30, 80), (54, 77), (1000, 89)],
         let s = dimensionlessSpin hole
@@ -269,14 +300,16 @@ timeToDraw program output more work =
 -- | As the shell's @times@ reports it, so that other load on the machine counts little.
 processorTimeToDraw :: FilePath -> FilePath -> [String] -> Work -> IO Double
 processorTimeToDraw program output more work =
-  drawn output (readProcess "sh" (["-c", "\"$@\" && times", "sh", program] ++ arguments output (["--threads", "1"] ++ more) work) "") >>= \report ->
-    case [seconds | word <- concatMap words (drop 1 (lines report)), Just seconds <- [shellSeconds word]] of
+  drawn output (readProcess "sh" (["-c", "\"$@\" && times", "sh", program] ++ options) "")
+    >>= \report -> case mapMaybe shellSeconds (concatMap words (drop 1 (lines report))) of
       [inProgram, inKernel] -> pure (inProgram + inKernel)
       _ -> ioError (userError ("times: " ++ report))
   where
+    options = arguments output (["--threads", "1"] ++ more) work
     -- Minutes and seconds, as in 0m1.25s.
     shellSeconds word = case break (== 'm') word of
-      (minutes, _ : rest) -> (\m t -> 60 * m + t) <$> readMaybe minutes <*> readMaybe (takeWhile (/= 's') rest)
+      (minutes, _ : rest) ->
+        (\m t -> 60 * m + t) <$> readMaybe minutes <*> readMaybe (takeWhile (/= 's') rest)
       _ -> Nothing
 
 memoryToDraw :: FilePath -> FilePath -> [String] -> Work -> IO (Maybe Double)

@@ -18,7 +18,7 @@ import BlackHole.Spacetime.Schwarzschild.Radii (criticalImpactParameter)
 import qualified BlackHole.Vector.XY as XY
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ
-import Data.Maybe (mapMaybe)
+import Data.Maybe (isNothing, mapMaybe)
 
 -- | The greatest errors found.
 data TableError = TableError
@@ -81,8 +81,9 @@ tableError count r = foldMap (errorOf . part) [0 .. count - 1]
 -- of the picture's precision at radii up to 30.
 kerrTableError :: Int -> Spin -> Place -> (TableError, Double)
 kerrTableError count hole place@(Place r _) =
-  (foldMap errorOf rays, fromIntegral (length [() | ray <- rays, Nothing <- [tabulatedFate table azimuth ray]]) / fromIntegral (length rays))
+  (foldMap errorOf rays, fromIntegral (length untabulated) / fromIntegral (length rays))
   where
+    untabulated = filter (isNothing . tabulatedFate table azimuth) rays
     table = skyTable hole place
     azimuth = BoyerLindquist 0
     rays = mapMaybe (lightRay hole place ZeroAngularMomentum . direction) [0 .. count - 1]
@@ -102,12 +103,13 @@ kerrTableError count hole place@(Place r _) =
         _ -> TableError 0 0 1
       where
         path = kerrPath hole azimuth ray
+        quick = kerrPathWith PicturePrecision hole azimuth ray
         crossings =
           maximum
             ( 0 :
                 [ XYZ.distance (placed known) (placed found)
-                  | (known, found) <- zip (kerrPlanePoints path) (kerrPlanePoints (kerrPathWith PicturePrecision hole azimuth ray)),
+                  | (known, found) <- zip (kerrPlanePoints path) (kerrPlanePoints quick),
                     pointRadius known < 30
                 ]
             )
-    placed point = XYZ (pointRadius point * sin (pointAzimuth point)) 0 (pointRadius point * cos (pointAzimuth point))
+    placed (KerrPoint r' _ phi _ _) = XYZ (r' * sin phi) 0 (r' * cos phi)

@@ -15,7 +15,6 @@ import BlackHole.Spacetime.Observer
 import BlackHole.Spacetime.Photon
 import BlackHole.Spacetime.Schwarzschild.Deflection
 import BlackHole.Spacetime.Schwarzschild.Leapfrog
-import BlackHole.Spacetime.Schwarzschild.LeapfrogStep
 import BlackHole.Spacetime.Schwarzschild.Orbit (orbit, orbitFate, orbitSweep)
 import BlackHole.Spacetime.Schwarzschild.StepRule
 import BlackHole.Spacetime.Types (Spacetime (..))
@@ -122,8 +121,15 @@ kerrShadowPlot =
       plotAcross = Axis "degrees to the right" (Steps [-10, -7 .. 17]),
       plotUp = Axis "degrees upwards" (Steps [-8, -4 .. 8]),
       plotSeries =
-        Points "#222222" "reference, 30 and 45 digits" (concat [[(left, 0), (right, 0), (0, up), (0, negate up)] | (_, _, left, right, up) <- references]) :
-          [ Curve colour ("spin " ++ show s) [outline hole alpha | alpha <- [0, 0.01 .. 2 * pi + 0.01]]
+        Points
+          "#222222"
+          "reference, 30 and 45 digits"
+          ( concat
+              [ [(left, 0), (right, 0), (0, up), (0, negate up)]
+                | (_, _, left, right, up) <- references
+              ]
+          ) :
+          [ Curve colour ("spin " ++ show s) (map (outline hole) [0, 0.01 .. 2 * pi + 0.01])
             | (s, colour, _, _, _) <- reverse references,
               Just hole <- [spin s]
           ]
@@ -137,7 +143,9 @@ kerrShadowPlot =
         (0.999, "#c02020", -3.0169931180405048, 9.698938177063176, 6.651632434663172)
       ]
     outline hole alpha = case shadow hole (Place 20 (80 * pi / 180)) of
-      Just edge | Direction nr ntheta nphi <- shadowEdge edge alpha -> (180 / pi * atan2 nphi (negate nr), 180 / pi * atan2 (negate ntheta) (negate nr))
+      Just edge
+        | Direction nr ntheta nphi <- shadowEdge edge alpha ->
+          (180 / pi * atan2 nphi (negate nr), 180 / pi * atan2 (negate ntheta) (negate nr))
       Nothing -> (0 / 0, 0 / 0)
 
 -- | The error of the table of the sky around rotating holes.
@@ -148,7 +156,15 @@ kerrTablePlot =
       plotAcross = Axis "angle from the edge of the shadow (rad)" (decades (-7) 0),
       plotUp = Axis "error (rad)" (decades (-12) (-5)),
       plotSeries =
-        [ Points colour ("spin " ++ show s) (concat [errors hole (skyTable hole place) around away | around <- [0.2, 0.7 .. 6.2], away <- geometric 1e-7 1 30])
+        [ Points
+            colour
+            ("spin " ++ show s)
+            ( concat
+                [ errors hole (skyTable hole place) around away
+                  | around <- [0.2, 0.7 .. 6.2],
+                    away <- geometric 1e-7 1 30
+                ]
+            )
           | (s, colour) <- [(0.998, "#c02020"), (0.9, "#d08020"), (0.3, "#2060c0")],
             Just hole <- [spin s]
         ]
@@ -161,8 +177,9 @@ kerrTablePlot =
           let Direction nr ntheta nphi = shadowEdge edge alpha
               across = sqrt (ntheta * ntheta + nphi * nphi)
               psi = atan2 across (negate nr) + away
-              tilt = sin psi / across,
-          Just ray <- [lightRay hole place AtRest (Direction (negate (cos psi)) (tilt * ntheta) (tilt * nphi))],
+              tilt = sin psi / across
+              direction = Direction (negate (cos psi)) (tilt * ntheta) (tilt * nphi),
+          Just ray <- [lightRay hole place AtRest direction],
           Just (Escaped found) <- [tabulatedFate table (BoyerLindquist 0) ray],
           Escaped known <- [kerrFate (kerrPath hole (BoyerLindquist 0) ray)]
       ]
@@ -173,10 +190,8 @@ seenBy observer r = 180 / pi * bisect dark 0 pi
   where
     dark psi =
       case sightLine Schwarzschild observer (XYZ 0 0 r) (XYZ (sin psi) 0 (negate (cos psi))) of
-        Nothing -> True
-        Just (SightLine photon _) -> case orbitFate (orbitOf photon) of
-          Escaped _ -> False
-          _ -> True
+        Just (SightLine photon _) | Escaped _ <- orbitFate (orbitOf photon) -> False
+        _ -> True
     orbitOf photon@(Photon x v) = orbit r (XYZ.dot x v / r) (XYZ.norm (angularMomentum photon) / r)
 
 -- | The error of the direction of light from r = 30 with this impact parameter,

@@ -16,7 +16,8 @@ spec = do
           -- The arc tangent on the branch of x.
           turn = pi * fromIntegral (round (x / pi) :: Int)
           known = (turn + atan (root * tan (x - turn))) / root
-       in closeTo (1e-13 * (1 + abs x) + 0.5 ^ n) known (integral (2 * n) (\sine2 -> 1 / (1 + q * sine2)) x)
+          integrand sine2 = 1 / (1 + q * sine2)
+       in closeTo (1e-13 * (1 + abs x) + 0.5 ^ n) known (integral (2 * n) integrand x)
   it "more values make the error fall geometrically" $ do
     let known = atan (sqrt 1.1 * tan 0.7) / sqrt 1.1
         errors = [abs (integral n (\sine2 -> 1 / (1 + 0.1 * sine2)) 0.7 - known) | n <- [2, 4, 6]]

@@ -20,7 +20,7 @@ import BlackHole.Trace.Tracer (tracer)
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ ((*^), (^-^))
 import qualified BlackHole.Vector.XYZ as XYZ
-import Data.Maybe (fromMaybe, isJust)
+import Data.Maybe (fromMaybe, isJust, mapMaybe)
 import Support.Approx
 import Support.KerrReference
 import Test.Hspec
@@ -35,11 +35,13 @@ spec = do
       forAll place $ \(s, r, theta) ->
         let hole = spinOf s
             table = skyTable hole (Place r theta)
-         in forAll (vectorOf 20 ((,,) <$> elements [ZeroAngularMomentum, InFreeFall, AtRest] <*> direction r <*> choose (-pi, pi))) $ \sights ->
+            motions = elements [ZeroAngularMomentum, InFreeFall, AtRest]
+         in forAll (vectorOf 20 ((,,) <$> motions <*> direction r <*> choose (-pi, pi))) $ \sights ->
               conjoin
                 [ case (tabulatedFate table azimuth ray, kerrFate (kerrPath hole azimuth ray)) of
                     (Nothing, _) -> property True
-                    (Just (Escaped found), Escaped known) -> nearXYZ (if farFromEdge table ray then 1e-6 else 1e-4) known found
+                    (Just (Escaped found), Escaped known) ->
+                      nearXYZ (if farFromEdge table ray then 1e-6 else 1e-4) known found
                     (Just found, known) -> fateName found === fateName known
                   | (motion, to, phi) <- sights,
                     let azimuth = if motion == InFreeFall then Ingoing phi else BoyerLindquist phi,
@@ -47,11 +49,15 @@ spec = do
                 ]
   it "serves for all but a few directions" $
     sequence_
-      [ length [() | ray <- rays, isJust (tabulatedFate table (BoyerLindquist 0) ray)] * 100 `shouldSatisfy` (> 99 * length rays)
+      [ length served * 100 `shouldSatisfy` (> 99 * length rays)
         | (s, r, theta) <- [(0.3, 30, 1.4), (0.9, 5, 0.2), (0.998, 54, 1.57), (-0.998, 1.6, 1)],
           let hole = spinOf s
-              table = skyTable hole (Place r theta)
-              rays = [ray | psi <- [0.02, 0.05 .. 3.1], eta <- [-3.1, -2.8 .. 3.1], Just ray <- [lightRay hole (Place r theta) ZeroAngularMomentum (aimed psi eta)]]
+              at = Place r theta
+              served = mapMaybe (tabulatedFate (skyTable hole at) (BoyerLindquist 0)) rays
+              rays =
+                mapMaybe
+                  (lightRay hole at ZeroAngularMomentum)
+                  [aimed psi eta | psi <- [0.02, 0.05 .. 3.1], eta <- [-3.1, -2.8 .. 3.1]]
       ]
   modifyMaxSuccess (const 60) $
     prop "knows how the direction changes from ray to ray" $
@@ -61,44 +67,60 @@ spec = do
               at = Place r theta
               table = skyTable hole at
               apart = 1e-6
-              beside k = aimed (atan2 (sqrt (ntheta * ntheta + nphi * nphi)) (negate nr) + k * apart * cos towards) (atan2 (negate ntheta) nphi + k * apart * sin towards)
+              psi = atan2 (sqrt (ntheta * ntheta + nphi * nphi)) (negate nr)
+              eta = atan2 (negate ntheta) nphi
+              beside k =
+                aimed (psi + k * apart * cos towards) (eta + k * apart * sin towards)
+              azimuth = BoyerLindquist 0.4
               look = lightRay hole at ZeroAngularMomentum . beside
            in case (look 0, look 1, look (-1)) of
                 (Just ray, Just one, Just other)
                   | farFromEdge table ray,
-                    Escaped to <- kerrFate (kerrPath hole (BoyerLindquist 0.4) one),
-                    Escaped back <- kerrFate (kerrPath hole (BoyerLindquist 0.4) other),
-                    Just (LensChanges change _) <- tabulatedChanges table (BoyerLindquist 0.4) ray one other ->
+                    Escaped to <- kerrFate (kerrPath hole azimuth one),
+                    Escaped back <- kerrFate (kerrPath hole azimuth other),
+                    Just (LensChanges change _) <- tabulatedChanges table azimuth ray one other ->
                     let expected = (0.5 / apart) *^ (to ^-^ back)
                      in nearXYZ (2e-3 * (1 + XYZ.norm expected)) expected ((1 / apart) *^ change)
                 _ -> discard
   it "has the edge of the shadow where the closed form has it" $
     sequence_
-      [ fromMaybe 1 (lightRay hole at AtRest (shadowEdge (fromMaybe (error "no shadow") (shadow hole at)) alpha) >>= tabulatedOffset (skyTable hole at)) `shouldBeWithin` (1e-9, 0)
+      [ fromMaybe 1 offset `shouldBeWithin` (1e-9, 0)
         | (s, r, theta) <- [(0.9, 20, 1.4), (0.998, 10, 0.5), (-0.7, 5, 2.1)],
           let hole = spinOf s
-              at = Place r theta,
-          alpha <- [0.1, 0.6 .. 6.2]
+              at = Place r theta
+              table = skyTable hole at,
+          alpha <- [0.1, 0.6 .. 6.2],
+          let offset = do
+                edge <- shadow hole at
+                ray <- lightRay hole at AtRest (shadowEdge edge alpha)
+                tabulatedOffset table ray
       ]
   it "makes pictures whose shadow ends where 30-digit shooting finds it" $ do
     rows <- kerrRows "kerr-shadow.csv"
     length rows `shouldSatisfy` (> 5)
     sequence_
       [ do
-          edge (`XY` 0) `shouldMatchDegrees` psiRight
-          edge (\x -> XY (negate x) 0) `shouldMatchDegrees` psiLeft
+          edge right `shouldMatchDegrees` psiRight
+          edge left `shouldMatchDegrees` psiLeft
           edge (XY 0) `shouldMatchDegrees` psiUp
-          maximum [edge (XY x) | x <- widest (negate (sideways (\x -> XY (negate x) 0)), sideways (`XY` 0)) 6] `shouldMatchDegrees` top
+          maximum (map (edge . XY) (widest (negate (sideways left), sideways right) 6))
+            `shouldMatchDegrees` top
         | s : r : i : "static" : _ : _ : top : _ : psiRight : psiUp : psiLeft : _ <- rows,
           let scene =
                 defaultScene
                   { scenePicture = Picture 64 36,
-                    sceneCamera = Camera (Around (read r) (Degrees (read i)) (Degrees 90)) (Degrees 0) (Degrees 90),
-                    sceneSpacetime = maybe Schwarzschild (\hole -> if hole == noSpin then Schwarzschild else Kerr hole) (spin (read s)),
+                    sceneCamera = Camera pose (Degrees 0) (Degrees 90),
+                    sceneSpacetime = maybe Schwarzschild spacetimeOf (spin (read s)),
                     sceneDisk = Nothing,
                     sceneSky = SkyUniform 1
                   }
-              dark = maybe (const False) (\traced (XY x y) -> sightRadiance traced (XY (32 + 32 * x) (18 - 32 * y)) == black) (tracer scene)
+              pose = Around (read r) (Degrees (read i)) (Degrees 90)
+              spacetimeOf hole = if hole == noSpin then Schwarzschild else Kerr hole
+              dark = maybe (const False) darkIn (tracer scene)
+              darkIn traced (XY x y) =
+                sightRadiance traced (XY (32 + 32 * x) (18 - 32 * y)) == black
+              right = (`XY` 0)
+              left x = XY (negate x) 0
               -- The angle at which the shadow ends on a line upwards or sideways.
               edge line = 180 / pi * atan (sideways line)
               sideways line = bisect (dark . line) 0 20
@@ -112,18 +134,23 @@ spec = do
       ]
   it "leaves rays from another place, and from inside the horizon, to the closed form" $ do
     let hole = spinOf 0.9
-        fateFrom table r = lightRay hole (Place r 1.2) InFreeFall (aimed 2 0.3) >>= tabulatedFate table (Ingoing 0)
+        fateFrom table r =
+          lightRay hole (Place r 1.2) InFreeFall (aimed 2 0.3) >>= tabulatedFate table (Ingoing 0)
     isJust (fateFrom (skyTable hole (Place 6 1.2)) 6) `shouldBe` True
     isJust (fateFrom (skyTable hole (Place 6 1.2)) 6.001) `shouldBe` False
     isJust (fateFrom (skyTable hole (Place 6 1.201)) 6) `shouldBe` False
     isJust (fateFrom (skyTable hole (Place 0.6 1.2)) 0.6) `shouldBe` False
   where
-    shouldMatchDegrees found cell = maybe (pure ()) (\known -> found `shouldBeWithin` (1e-7, known)) (readMaybe cell)
+    shouldMatchDegrees found cell =
+      maybe (pure ()) (\known -> found `shouldBeWithin` (1e-7, known)) (readMaybe cell)
     place = do
       s <- oneof [choose (-0.999, 0.999), choose (-0.01, 0.01), pure 0.998]
       r <- exp <$> choose (log 1.3, log 60)
       theta <- choose (0.02, pi - 0.02)
       pure (s, r, theta :: Double)
     -- Half of the directions near the hole.
-    direction r = aimed <$> oneof [choose (0, pi), (\x -> x * 4 / (r + 3)) <$> choose (0, 1)] <*> choose (-pi, pi)
+    direction r =
+      aimed
+        <$> oneof [choose (0, pi), (\x -> x * 4 / (r + 3)) <$> choose (0, 1)]
+        <*> choose (-pi, pi)
     farFromEdge table ray = maybe False ((> 1e-4 / rayRadius ray) . abs) (tabulatedOffset table ray)
