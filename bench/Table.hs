@@ -173,6 +173,7 @@ reportScaling :: Drawing -> Work -> IO ()
 reportScaling drawing work = do
   (ones, twos) <-
     inTurns
+      median
       5
       (drawingTime drawing ["--threads", "1"] work)
       (drawingTime drawing ["--threads", "2"] work)
@@ -189,9 +190,11 @@ reportSpins drawing = do
     "target"
   mapM_ (reportSpin drawing) spins
 
+-- | Processor time only ever grows by other load, so the least time is nearest to the
+-- program's own.
 reportSpin :: Drawing -> Work -> IO ()
 reportSpin drawing work = do
-  (without, with) <- inTurns 5 (timeWith "0") (timeWith "0.9")
+  (without, with) <- inTurns minimum 5 (timeWith "0") (timeWith "0.9")
   printf
     "%-46s %8.3f %8.3f %6.2f  %s\n"
     (workName work)
@@ -204,16 +207,16 @@ reportSpin drawing work = do
 
 reportPrice :: Drawing -> (String, [String], [String]) -> IO ()
 reportPrice drawing (name, before, after) = do
-  (without, with) <- inTurns 3 (drawingTime drawing before work) (drawingTime drawing after work)
+  (without, with) <- inTurns median 3 (drawingTime drawing before work) (drawingTime drawing after work)
   printf "%-46s %8.2f %8.2f %6.2f\n" name without with (with / without)
   where
     work = Work name [] 960 4 ""
 
--- | The medians of two measurements, each taken this many times in turns.
-inTurns :: Int -> IO Double -> IO Double -> IO (Double, Double)
-inTurns count one two = do
+-- | A summary of each of two measurements that are taken this many times in turns.
+inTurns :: ([Double] -> Double) -> Int -> IO Double -> IO Double -> IO (Double, Double)
+inTurns summary count one two = do
   pairs <- replicateM count ((,) <$> one <*> two)
-  pure (median (map fst pairs), median (map snd pairs))
+  pure (summary (map fst pairs), summary (map snd pairs))
 
 reportSize :: Drawing -> Int -> IO ()
 reportSize drawing width = do
