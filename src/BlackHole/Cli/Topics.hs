@@ -56,8 +56,8 @@ guides =
         \disk's plane) nothing can stay at rest.",
         "A positive spin turns with the disk, a negative one against it. With the disk, the gas \
         \can circle closer in: down to 3 without spin, 1.16 at 0.9, 0.62 at 0.998, but only 4.36 \
-        \at -0.9. The disk is hotter and its light more strongly shifted there. A disk that \
-        \reaches down to that orbit follows the spin unless --disk-inner says otherwise.",
+        \at -0.9. Gas there is faster, and its light more strongly shifted. A disk that reaches \
+        \down to that orbit follows the spin unless --disk-inner says otherwise.",
         "The observers static, zamo, orbiting, counter-orbiting and falling are possible; static \
         \ones outside the ergosphere only. A zamo turns with space and has no angular momentum of \
         \its own."
