@@ -35,7 +35,7 @@ import BlackHole.Vector.XYZ (XYZ (..))
 data KerrPath = KerrPath
   { -- | The Mino time from the observer to the end, infinite for a path that
     -- approaches a photon orbit for ever.
-    kerrMinoTime :: !Double,
+    kerrMinoTime :: Double,
     -- | How the path ends.
     kerrFate :: Fate XYZ,
     -- | The point after a Mino time, which must not exceed that of the whole path.
