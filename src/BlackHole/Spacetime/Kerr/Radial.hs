@@ -203,24 +203,21 @@ timeWithin radius limit
     start = _radialStart radius
     starts = _radialStartRadius radius <= limit
     timeAt x = (x - start) / _radialRate radius
-    (from, to) = case _radialShape radius of
-      shape@(Outer _ _ _ r4)
-        | r4 >= limit -> (1, 0)
-        | otherwise -> between shape
+    shape = _radialShape radius
+    -- At the limit on the way outwards.
+    argument = fst (argumentAt (_radialPrecision radius) (_radialComplement radius) shape limit)
+    (from, to) = case shape of
+      Outer _ _ _ r4 | r4 >= limit -> (1, 0)
       -- The turning point is the farthest.
-      shape@(Inner _ _ r3 _)
-        | starts -> (0, if r3 <= limit || start > 0 then total else mirrored shape)
-        | otherwise -> (max 0 (timeAt (argument shape)), total)
-      shape -> between shape
-    argument shape =
-      fst (argumentAt (_radialPrecision radius) (_radialComplement radius) shape limit)
-    mirrored shape = timeAt (negate (argument shape))
-    between shape =
-      ( if starts then 0 else if start < 0 then mirrored shape else 1 / 0,
-        case end of
-          AtInfinity -> timeAt (argument shape)
-          AtHorizon -> total
-      )
+      Inner _ _ r3 _
+        | starts -> (0, if r3 <= limit || start > 0 then total else timeAt (negate argument))
+        | otherwise -> (max 0 (timeAt argument), total)
+      _ ->
+        ( if starts then 0 else if start < 0 then timeAt (negate argument) else 1 / 0,
+          case end of
+            AtInfinity -> timeAt argument
+            AtHorizon -> total
+        )
 
 -- | The radius after a Mino time within the motion.
 stateAfter :: Radial -> Double -> RadialState
