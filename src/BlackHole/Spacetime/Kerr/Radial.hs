@@ -95,8 +95,8 @@ radial precision hole ray
      in if r0 >= r4 || r4 <= horizon
           then
             let shape = Outer r1 r2 r3 r4
-             in Just (motion shape rate complement (r4 > horizon))
-          else Just (motion (Inner r1 r2 r3 r4) rate complement True)
+             in Just $! motion shape rate complement (r4 > horizon)
+          else Just $! motion (Inner r1 r2 r3 r4) rate complement True
   | lower >= 0 =
     let other = sqrt lower
         (r1, r2) = (negate z - other, other - z)
@@ -111,7 +111,7 @@ radial precision hole ray
           | p * q > 0 = imaginary2 * (p * p + q * q + imaginary2) / (a1 * b1 + p * q)
           | otherwise = a1 * b1 - p * q
         complement = other * other * 2 * (imaginary2 + gap) / (a1 * b1 * (a1 + b1) * (a1 + b1))
-     in Just (motion (Single r1 r2 a1 b1 (sqrt complement)) (sqrt (a1 * b1)) complement False)
+     in Just $! motion (Single r1 r2 a1 b1 (sqrt complement)) (sqrt (a1 * b1)) complement False
   | otherwise = Nothing
   where
     horizon = horizonRadius hole
@@ -124,69 +124,75 @@ radial precision hole ray
           _radialRate = rate,
           _radialComplement = complement,
           _radialModulus = modulus complement,
-          _radialStart = start,
-          _radialStop = stop,
+          _radialStart = startSide * argument precision complement shape start,
+          _radialStop = stopSide * argument precision complement shape stop,
           _radialEnd = end,
-          _radialStartV = startV,
-          _radialStopV = stopV,
+          _radialStartV = startSide * variable shape start,
+          _radialStopV = stopSide * variable shape stop,
           _radialPole = case shape of
             Outer {} | turns -> 1 / 0
-            _ -> snd (position horizon),
+            _ -> variable shape (amplitudeAt shape horizon),
           _radialStartRadius = r0,
           _radialPrecision = precision
         }
       where
-        position = argumentAt precision complement shape
-        negative (x, v) = (negate x, negate v)
-        (start, startV) = case shape of
-          Inner {} | grows -> negative (position r0)
-          Inner {} -> position r0
-          _ | grows -> position r0
-          _ -> negative (position r0)
-        (end, (stop, stopV)) = case shape of
-          Inner {} -> (AtHorizon, position horizon)
-          _ | grows || turns -> (AtInfinity, argumentAtInfinity precision complement shape)
-          _ -> (AtHorizon, negative (position horizon))
+        start = amplitudeAt shape r0
+        -- The turning point of 'Inner' is the farthest, that of the others the nearest.
+        startSide = case shape of
+          Inner {} -> if grows then -1 else 1
+          _ -> if grows then 1 else -1
+        end = case shape of
+          Inner {} -> AtHorizon
+          _ -> if grows || turns then AtInfinity else AtHorizon
+        stop = case end of
+          AtHorizon -> amplitudeAt shape horizon
+          AtInfinity -> amplitudeAtInfinity shape
+        stopSide = case shape of
+          Single {} | AtHorizon <- end -> -1
+          Outer {} | AtHorizon <- end -> -1
+          _ -> 1
 
--- | The elliptic argument and the variable @v@ at a radius, both as if on the way
--- outwards.
-argumentAt :: Precision -> Double -> Shape -> Double -> (Double, Double)
-argumentAt precision complement shape r = case shape of
-  Outer r1 _ r3 r4 -> quarter ((r3 - r1) * (r - r4)) ((r4 - r3) * (r - r1))
-  Inner _ r2 r3 r4 -> quarter ((r4 - r2) * (r3 - r)) ((r4 - r3) * (r - r2))
-  Single r1 r2 a1 b1 root ->
-    half root (2 * sqrt (a1 * b1 * (r - r1) * (r - r2))) (a1 * (r - r1) - b1 * (r - r2))
-  where
-    quarter sine2 cosine2 =
-      ( quadrant precision complement (max 0 sine2) (max 0 cosine2),
-        asinh (sqrt (max 0 sine2 / cosine2))
-      )
-    half = halfTurn precision complement
+-- | The amplitude at a radius, as if on the way outwards: numbers in proportion to the
+-- squares of its sine and cosine in the first quadrant, but for 'Single' to these
+-- themselves in the first half turn.
+data Amplitude = Amplitude {-# UNPACK #-} !Double {-# UNPACK #-} !Double
 
--- | 'argumentAt' at infinity, on the way outwards.
-argumentAtInfinity :: Precision -> Double -> Shape -> (Double, Double)
-argumentAtInfinity precision complement shape = case shape of
-  Outer r1 _ r3 r4 ->
-    (quadrant precision complement (r3 - r1) (r4 - r3), asinh (sqrt ((r3 - r1) / (r4 - r3))))
+amplitudeAt :: Shape -> Double -> Amplitude
+amplitudeAt shape r = case shape of
+  Outer r1 _ r3 r4 -> Amplitude (max 0 ((r3 - r1) * (r - r4))) (max 0 ((r4 - r3) * (r - r1)))
+  Inner _ r2 r3 r4 -> Amplitude (max 0 ((r4 - r2) * (r3 - r))) (max 0 ((r4 - r3) * (r - r2)))
+  Single r1 r2 a1 b1 _ ->
+    Amplitude (2 * sqrt (a1 * b1 * (r - r1) * (r - r2))) (a1 * (r - r1) - b1 * (r - r2))
+{-# INLINE amplitudeAt #-}
+
+-- | 'amplitudeAt' infinity.
+amplitudeAtInfinity :: Shape -> Amplitude
+amplitudeAtInfinity shape = case shape of
+  Outer r1 _ r3 r4 -> Amplitude (r3 - r1) (r4 - r3)
   -- Never asked for: such light does not escape.
-  Inner {} -> (1 / 0, 1 / 0)
-  Single _ _ a1 b1 root -> halfTurn precision complement root (2 * sqrt (a1 * b1)) (a1 - b1)
+  Inner {} -> Amplitude 1 0
+  Single _ _ a1 b1 _ -> Amplitude (2 * sqrt (a1 * b1)) (a1 - b1)
+{-# INLINE amplitudeAtInfinity #-}
 
--- | 'firstQuadrantF' to a precision.
-quadrant :: Precision -> Double -> Double -> Double -> Double
-quadrant precision = firstQuadrantFWithin $ case precision of
-  FullPrecision -> seriesRadius
-  PicturePrecision -> 0.1
-
--- | @F(φ)@ for φ in (0, π) from numbers in proportion to its sine and cosine, and
--- the variable @v = −asinh (cot φ \/ √m₁)@.
-halfTurn :: Precision -> Double -> Double -> Double -> Double -> (Double, Double)
-halfTurn precision complement root sine cosine
-  | cosine >= 0 = (first, v)
-  | otherwise = (2 * completeK complement - first, v)
+-- | The elliptic argument: the integral of the first kind of an amplitude.
+argument :: Precision -> Double -> Shape -> Amplitude -> Double
+argument precision complement shape (Amplitude sine cosine) = case shape of
+  Single {}
+    | cosine >= 0 -> first (sine * sine) (cosine * cosine)
+    | otherwise -> 2 * completeK complement - first (sine * sine) (cosine * cosine)
+  _ -> first sine cosine
   where
-    first = quadrant precision complement (sine * sine) (cosine * cosine)
-    v = negate (asinh (cosine / (sine * root)))
+    first = firstQuadrantFWithin radius complement
+    radius = case precision of
+      FullPrecision -> seriesRadius
+      PicturePrecision -> 0.1
+
+-- | The variable @v@ of an amplitude: @asinh (tan φ)@, and for 'Single'
+-- @−asinh (cot φ \/ √m₁)@.
+variable :: Shape -> Amplitude -> Double
+variable shape (Amplitude sine cosine) = case shape of
+  Single _ _ _ _ root -> negate (asinh (cosine / (sine * root)))
+  _ -> asinh (sqrt (sine / cosine))
 
 -- | Where the motion ends, and after what Mino time.
 radialEnd :: Radial -> (RadialEnd, Double)
@@ -205,17 +211,18 @@ timeWithin radius limit
     timeAt x = (x - start) / _radialRate radius
     shape = _radialShape radius
     -- At the limit on the way outwards.
-    argument = fst (argumentAt (_radialPrecision radius) (_radialComplement radius) shape limit)
+    outwards =
+      argument (_radialPrecision radius) (_radialComplement radius) shape (amplitudeAt shape limit)
     (from, to) = case shape of
       Outer _ _ _ r4 | r4 >= limit -> (1, 0)
       -- The turning point is the farthest.
       Inner _ _ r3 _
-        | starts -> (0, if r3 <= limit || start > 0 then total else timeAt (negate argument))
-        | otherwise -> (max 0 (timeAt argument), total)
+        | starts -> (0, if r3 <= limit || start > 0 then total else timeAt (negate outwards))
+        | otherwise -> (max 0 (timeAt outwards), total)
       _ ->
-        ( if starts then 0 else if start < 0 then timeAt (negate argument) else 1 / 0,
+        ( if starts then 0 else if start < 0 then timeAt (negate outwards) else 1 / 0,
           case end of
-            AtInfinity -> timeAt argument
+            AtInfinity -> timeAt outwards
             AtHorizon -> total
         )
 
