@@ -1,3 +1,5 @@
+{-# LANGUAGE BangPatterns #-}
+
 -- | The motion of light in latitude around a Kerr hole, in closed form, for rays
 -- that oscillate about the equatorial plane (η > 0).
 --
@@ -66,7 +68,7 @@ latitude :: Precision -> Spin -> LightRay -> Maybe Latitude
 latitude precision hole ray
   | parameter <= 0.5 =
     Just
-      Latitude
+      $! Latitude
         { _latitudeBase2 = base2,
           _latitudeSpin2 = a2,
           _latitudeReach = reach,
@@ -169,18 +171,27 @@ planeCrossingTimes l
     first = fromIntegral (floor (phaseAngle (_latitudeStart l) / pi + 1e-12) + 1 :: Int) :: Double
     time k = pi * k * integralPerRadian (_latitudeTime l) - _latitudeStartTime l
 
--- | @timesNearPlane latitude c@: the Mino times between which @|cos θ| ≤ c@, from the
--- first such interval that ends after the start, in order and without end.
-timesNearPlane :: Latitude -> Double -> [(Double, Double)]
-timesNearPlane l limit
-  | _latitudeReach l <= limit = [(0, 1 / 0)]
-  | otherwise = [(max 0 (crossing k - half), crossing k + half) | k <- iterate (+ 1) first]
+-- | @timesNearPlane latitude c from to@: the Mino times between which @|cos θ| ≤ c@, as far
+-- as they lie between two times, in order. At most a thousand such intervals are examined.
+timesNearPlane :: Latitude -> Double -> Double -> Double -> [(Double, Double)]
+timesNearPlane l limit !from !to
+  | _latitudeReach l <= limit = [(from, to)]
+  | otherwise = go (1000 :: Int) (fromIntegral first * period - _latitudeStartTime l)
   where
     sine = limit / _latitudeReach l
     width = asin sine
-    half = timeOf (_latitudeTime l) (Phase width sine (sqrt ((1 - sine) * (1 + sine))))
-    first = fromIntegral (ceiling ((phaseAngle (_latitudeStart l) - width) / pi) :: Int) :: Double
-    crossing k = pi * k * integralPerRadian (_latitudeTime l) - _latitudeStartTime l
+    !half = timeOf (_latitudeTime l) (Phase width sine (sqrt ((1 - sine) * (1 + sine))))
+    !period = pi * integralPerRadian (_latitudeTime l)
+    first = ceiling ((phaseAngle (_latitudeStart l) - width) / pi) :: Int
+    -- By the time of the crossing in the middle.
+    go !count !crossing
+      | count <= 0 || begin >= to = []
+      | close > from = (max from begin, min to close) : rest
+      | otherwise = rest
+      where
+        !begin = crossing - half
+        !close = crossing + half
+        rest = go (count - 1) (crossing + period)
 
 -- | d(cos θ)\/dτ at a phase.
 phaseRate :: Latitude -> Phase -> Double

@@ -104,13 +104,8 @@ closedPath hole azimuth ray r l =
       kerrPoint = \t -> pointAt t (phaseAfter l t),
       kerrPlanePoints =
         map (uncurry pointAt) (takeWhile ((< time) . fst) (take 1000 (planeCrossingTimes l))),
-      kerrPassages = \limit steepest -> case timeWithin r limit of
-        Nothing -> []
-        Just (from, to) ->
-          [ (max from begin, min to close)
-            | (begin, close) <- takeWhile ((< to) . fst) (take 1000 (timesNearPlane l steepest)),
-              close > from
-          ],
+      kerrPassages = \limit steepest ->
+        maybe [] (uncurry (timesNearPlane l steepest)) (timeWithin r limit),
       kerrSweptAngle =
         if isInfinite time
           then Nothing
