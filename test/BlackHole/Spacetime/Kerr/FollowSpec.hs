@@ -99,7 +99,7 @@ spec = do
               (nr * sin 1.2 + ntheta * cos 1.2)
               (nr * cos 1.2 - ntheta * sin 1.2)
               (negate nphi)
-          gather before segment = Continue (before + segmentAffineLength segment)
+          gather sofar segment = Continue (sofar + segmentAffineLength segment)
        in case sightLine space Static at direction of
             Just sight -> followedState (follow (tracing space method at) slab 1 sight gather 0)
             Nothing -> 0 / 0

@@ -66,7 +66,9 @@ spec = do
           let hole = spinOf s
               at = Place r theta
               table = skyTable hole at
-              apart = 1e-6
+              -- Small against the distance from the edge, where directions vary as its
+              -- logarithm.
+              apart = 1e-8
               psi = atan2 (sqrt (ntheta * ntheta + nphi * nphi)) (negate nr)
               eta = atan2 (negate ntheta) nphi
               beside k =
