@@ -52,6 +52,7 @@ data Roots
       {-# UNPACK #-} !Double
       {-# UNPACK #-} !Double
 
+-- | The roots for a ray, in closed form.
 rootsOf :: Spin -> LightRay -> Roots
 rootsOf hole ray =
   Roots z (negate (0.5 * c2 + z * z + kappa / (4 * z))) (kappa / (4 * z) - 0.5 * c2 - z * z)
