@@ -35,11 +35,11 @@ spec = do
             conjoin
               [ counterexample (show (t, segment)) $
                   nearXYZ
-                    (1e-4 * (1 + stretched) * grown)
+                    (1e-4 * (1 + stretched) * wound * max 1 (r / 20))
                     (1 / r *^ placed point)
                     (1 / r *^ segmentMiddle segment)
                     .&&. closeTo
-                      (1e-4 * (1 + radial') * (1 + stretched))
+                      (1e-4 * (1 + radial') * (1 + stretched) * wound)
                       (radial' * signum' (pointGrows point))
                       radial
                     .&&. lambda === rayLambda ray
@@ -53,7 +53,7 @@ spec = do
                       stretched = 1e-2 / kerrDelta hole r
                       -- A path that leaves a photon orbit multiplies the errors made before,
                       -- and far from the hole an error of 1/r grows with r.
-                      grown = (1 + 1e-3 / abs offset) * max 1 (r / 20)
+                      wound = 1 + 1e-2 / abs offset
                       delta = kerrDelta hole r
                       radial' = sqrt (max 0 (p * p - delta * rayKappa ray)) / delta
                       Momentum radial lambda = segmentMomentum segment
@@ -91,7 +91,7 @@ spec = do
               . RotatingSight hole (BoyerLindquist 0)
       case lightRay hole at ZeroAngularMomentum (aimed psi eta) of
         Just ray
-          | Just offset <- offsetOf ray, abs offset > 1e-4 -> pure (hole, at, ray, offset)
+          | Just offset <- offsetOf ray, abs offset > 1e-3 -> pure (hole, at, ray, offset)
         _ -> sights
     gathered space method psi eta =
       let at = XYZ (20 * sin 1.2) (20 * cos 1.2) 0
