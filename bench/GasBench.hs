@@ -37,7 +37,7 @@ benchmarks =
           ]
     ]
   where
-    made disk = gas Schwarzschild 0 (Shifts True True) disk (XYZ 0 5 30) 1e-3 1
+    made disk = gas Schwarzschild 0 (Shifts True True) disk (XYZ 0 5 30) 1e-3
     segment = planarSegment (Photon (XYZ 4 0.005 2) (XYZ 0.1 (-0.9) 0.3)) 0.01
     transparency (Continue g) = gatheredTransmittance g
     transparency (Stop g) = gatheredTransmittance g

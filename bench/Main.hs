@@ -1,5 +1,5 @@
 -- | All benchmarks, one file per topic; with @--table PROGRAM@, the table of the
--- program's speed and accuracy.
+-- program's speed and accuracy, and with @--quality@, the error of its sampling.
 module Main (main) where
 
 import Criterion.Main (defaultMain)
@@ -11,6 +11,7 @@ import qualified LightBench
 import qualified NoiseBench
 import qualified OrbitBench
 import qualified PathBench
+import Quality (printQuality)
 import qualified SkyBench
 import System.Environment (getArgs)
 import System.IO (hSetEncoding, stdout, utf8)
@@ -21,6 +22,7 @@ main = do
   hSetEncoding stdout utf8
   arguments <- getArgs
   case arguments of
+    ["--quality"] -> printQuality
     "--table" : program : rest | "--spin" `elem` rest -> printSpinTable program
     "--table" : program : rest -> printTable program ("--huge" `elem` rest)
     _ ->

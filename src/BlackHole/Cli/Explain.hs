@@ -18,6 +18,7 @@ import BlackHole.Spacetime.Fate (Fate (..), fateName)
 import BlackHole.Spacetime.Observer (Constants (..), observerName)
 import BlackHole.Spacetime.PlaneCrossing (PlaneCrossing (..))
 import BlackHole.Spacetime.Types (spacetimeCriticalImpact)
+import BlackHole.Trace.Adaptive (sharedWorth)
 import BlackHole.Trace.Explain
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ (..))
@@ -49,11 +50,12 @@ explanationLines scene explanation =
     ]
       ++ sightRows scene middle
       ++ lightRows middle
+      ++ maybe [] sharedRows (explainedShared explanation)
       ++ sampleRows (explainedSamples explanation)
       ++ [ Line "",
            heading "picture",
            colour
-             (if sceneSamples scene == 1 then "radiance" else "mean radiance of the samples")
+             "radiance"
              (explainedRadiance explanation),
            colour ("exposed by " ++ short stops ++ " stops") (shownExposed shown),
            colour ("tone map " ++ toneMapName (sceneToneMap scene)) (shownToneMapped shown),
@@ -186,6 +188,15 @@ sampleRows samples@(_ : _ : _) =
       where
         XY px py = sightingPoint sample
 sampleRows _ = []
+
+-- | What the neighbours contribute.
+sharedRows :: Radiance -> [Row]
+sharedRows light =
+  [ Line "",
+    heading $
+      "first rays of this pixel and its neighbours, worth " ++ show sharedWorth ++ " samples",
+    colour "filtered light" light
+  ]
 
 -- | The heading above rows of 'colour'.
 heading :: String -> Row

@@ -47,22 +47,27 @@ data Making = Making
 -- again): at least 12 bytes a pixel of light, and what a stage holds beside it.
 pictureMemory :: Making -> Scene -> Int -> Integer
 pictureMemory (Making product' blurred kept) scene rows =
-  50331648 + toInteger width * toInteger rows
-    * sum
-      ( ofProduct :
-          [ n
-            | (True, n) <-
-                [ (sceneBeam scene > 0, 18),
-                  (sceneBloom scene > 0, 18),
-                  (sceneSpikes scene > 0, 18),
-                  (blurred, 48),
-                  (kept, 14),
-                  (mostSamples scene > sceneSamples scene, 8)
-                ]
-          ]
-      )
+  50331648
+    + (if adaptive then layersOfRow * toInteger width * toInteger (min 258 rows) else 0)
+    + toInteger width * toInteger rows
+      * sum
+        ( ofProduct :
+            [ n
+              | (True, n) <-
+                  [ (sceneBeam scene > 0, 18),
+                    (sceneBloom scene > 0, 18),
+                    (sceneSpikes scene > 0, 18),
+                    (blurred, 48),
+                    (kept, 14),
+                    (adaptive, 8)
+                  ]
+            ]
+        )
   where
     Picture width _ = scenePicture scene
+    adaptive = mostSamples scene > sceneSamples scene
+    -- Two bands of layers of 256 rows and their neighbours, and the finished pixels of one.
+    layersOfRow = 64
     ofProduct = case product' of
       WholePicture format -> ofFormat format
       Tile -> 26

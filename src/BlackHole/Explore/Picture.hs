@@ -48,7 +48,13 @@ data Renderer = Renderer
 -- of the other integrators, and far sooner. One ray through a wide lens would show noise.
 movingScene :: Picture -> Scene -> Scene
 movingScene size scene =
-  scene {scenePicture = size, sceneSamples = 1, sceneIntegrator = Tabulated, sceneAperture = 0}
+  scene
+    { scenePicture = size,
+      sceneSamples = 1,
+      sceneNoise = 0,
+      sceneIntegrator = Tabulated,
+      sceneAperture = 0
+    }
 
 -- | The film of a scene, with the tracer that made it. Takes over the tables of an
 -- earlier tracer where they are equal ('tracerAfter').

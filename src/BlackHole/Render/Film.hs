@@ -19,11 +19,15 @@ import BlackHole.Scene.Scene
 import BlackHole.Trace.Adaptive
 import BlackHole.Trace.EnvironmentMap (EnvironmentMap)
 import BlackHole.Trace.Estimate
+import BlackHole.Trace.Layers
 import BlackHole.Trace.Pixel
+import BlackHole.Trace.SkySpan (skyNode, spanLength)
 import BlackHole.Trace.Tracer
 import Control.Monad (when)
 import Control.Monad.ST (ST)
 import Data.Foldable (for_)
+import Data.Functor.Identity (runIdentity)
+import Data.Maybe (fromMaybe)
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as Vector
 import Data.Vector.Storable.Mutable (IOVector, MVector)
@@ -36,8 +40,16 @@ import System.Mem (performMajorGC)
 -- called with the number of finished rows. The numbers equal those of the same rows of
 -- any other band, for any number of workers. 'Nothing' if the scene is not valid or lacks
 -- its map, or if the picture has no such rows.
-exposeFilm :: Maybe EnvironmentMap -> Workers -> (Int -> IO ()) -> Scene -> (Int, Int) -> IO (Maybe Exposed)
-exposeFilm sky workers progress scene band = maybe (pure Nothing) (\traced -> exposeTraced traced workers progress band) (tracerWithSky sky scene)
+exposeFilm ::
+  Maybe EnvironmentMap ->
+  Workers ->
+  (Int -> IO ()) ->
+  Scene ->
+  (Int, Int) ->
+  IO (Maybe Exposed)
+exposeFilm sky workers progress scene band = case tracerWithSky sky scene of
+  Nothing -> pure Nothing
+  Just traced -> exposeTraced traced workers progress band
 
 -- | 'exposeFilm' for a scene that is prepared already.
 exposeTraced :: Tracer -> Workers -> (Int -> IO ()) -> (Int, Int) -> IO (Maybe Exposed)
@@ -49,16 +61,17 @@ exposeTraced traced workers progress (first, rows)
       _ <- mapShared workers pure (tracerTables traced)
       if mostSamples scene > sceneSamples scene
         then refineRows workers progress traced shape first
-        else Just . (`Exposed` Nothing) <$> generateRows workers progress shape (traceRow traced width . (first +))
+        else
+          Just . (`Exposed` Nothing)
+            <$> generateRows workers progress shape (traceRow traced width . (first +))
   where
     scene = tracerScene traced
     Picture width height = scenePicture scene
 
--- | The work of 'exposeFilm' for adaptive sampling: traces the first samples of some
--- rows, then, once all their neighbours are known, the additional samples of these
--- rows, and continues with the next rows. The number of rows at a time is a compromise:
--- workers seldom wait for each other, and the sums of all samples need little memory in
--- a large picture.
+-- | The work of 'exposeFilm' for adaptive sampling: traces the layers of some rows, then,
+-- once all their neighbours are known, the additional samples of these rows, and continues
+-- with the next rows. The number of rows at a time is a compromise: workers seldom wait for
+-- each other, and the layers need little memory in a large picture.
 refineRows :: Workers -> (Int -> IO ()) -> Tracer -> PixelShape -> Int -> IO (Maybe Exposed)
 refineRows workers progress traced shape first = do
   -- All bands are written here directly, to avoid copies.
@@ -66,23 +79,30 @@ refineRows workers progress traced shape first = do
   counts <- MVector.unsafeNew (width * rows)
   let go from before
         | from >= rows = exposed <$> Vector.unsafeFreeze light <*> Vector.unsafeFreeze counts
-        | otherwise = case (,) <$> pixelShape width count 4 <*> pixelShape width haloRows sumCount of
+        | otherwise = case shapes of
           Nothing -> pure Nothing
           Just (bandShape, haloShape) -> do
-            sums <- generateRows workers (progress . (from +) . (`quot` 2)) haloShape $ \y row ->
-              case before >>= \(beforeFirst, known) -> pixelRow known (haloFirst + y - beforeFirst) of
+            layers <- generateRows workers (progress . (from +) . (`quot` 2)) haloShape $ \y row ->
+              case knownRow (haloFirst + y) of
                 Just known -> Vector.unsafeCopy row known
-                Nothing -> sumRow traced width (haloFirst + y) row
-            band <- generateRows workers (progress . (from +) . half . (count +)) bandShape (refineRow traced width haloFirst sums . (first + from +))
-            separate (toPixelVector band) (MVector.slice (3 * width * from) (3 * width * count) light) (MVector.slice (width * from) (width * count) counts)
-            -- The sums are the largest object besides the film.
+                Nothing -> layerRow traced width (haloFirst + y) row
+            band <-
+              generateRows workers (progress . (from +) . half . (count +)) bandShape $
+                refineRow traced width haloFirst layers . (first + from +)
+            separate
+              (toPixelVector band)
+              (MVector.slice (3 * width * from) (3 * width * count) light)
+              (MVector.slice (width * from) (width * count) counts)
+            -- The layers are the largest object besides the film.
             when (from + count < rows) performMajorGC
-            go (from + count) (Just (haloFirst, sums))
+            go (from + count) (Just (haloFirst, layers))
         where
           count = min 256 (rows - from)
           -- Neighbours also decide whether a pixel needs more samples.
           haloFirst = max 0 (first + from - 1)
           haloRows = min height (first + from + count + 1) - haloFirst
+          shapes = (,) <$> pixelShape width count 4 <*> pixelShape width haloRows layerCount
+          knownRow y = before >>= \(knownFirst, known) -> pixelRow known (y - knownFirst)
   go 0 Nothing
   where
     Picture width height = scenePicture (tracerScene traced)
@@ -98,7 +118,8 @@ separate both light counts = go 0
   where
     go :: Int -> IO ()
     go !i = when (i < MVector.length counts) $ do
-      for_ [0 .. 2] $ \k -> MVector.unsafeWrite light (3 * i + k) (Vector.unsafeIndex both (4 * i + k))
+      for_ [0 .. 2] $ \k ->
+        MVector.unsafeWrite light (3 * i + k) (Vector.unsafeIndex both (4 * i + k))
       MVector.unsafeWrite counts i (Vector.unsafeIndex both (4 * i + 3))
       go (i + 1)
 
@@ -129,7 +150,11 @@ firstSamples traced width row column
 {-# INLINE firstSamples #-}
 
 -- | Runs an action for every pixel of a row with its estimate, three pixels at a time.
-forThrees :: Int -> (Int -> (Estimate, Estimate, Estimate)) -> (Int -> Estimate -> ST s ()) -> ST s ()
+forThrees ::
+  Int ->
+  (Int -> (Estimate, Estimate, Estimate)) ->
+  (Int -> Estimate -> ST s ()) ->
+  ST s ()
 forThrees !width estimates act = go 0
   where
     go !column = when (column < width) $ do
@@ -147,29 +172,50 @@ writeRadiance pixels column (Radiance r g b) = do
   MVector.unsafeWrite pixels (3 * column + 2) (realToFrac b)
 {-# INLINE writeRadiance #-}
 
--- | Stores the sums of the first samples of one row.
-sumRow :: Tracer -> Int -> Int -> MVector s Float -> ST s ()
-sumRow traced !width !row sums =
-  forThrees width (firstSamples traced width row) $ \column estimate ->
-    forSums estimate $ \k v ->
-      MVector.unsafeWrite sums (sumCount * column + k) (realToFrac v)
-
--- | Finishes one row, from the first sums and the number of their first row: light in
--- three channels, and the number of samples.
-refineRow :: Tracer -> Int -> Int -> PixelArray Float -> Int -> MVector s Float -> ST s ()
-refineRow traced !width !sumsFirst sums !row pixels = go 0
+-- | Stores the layers of one row, those of the coarsest columns first.
+layerRow :: Tracer -> Int -> Int -> MVector s Float -> ST s ()
+layerRow traced !width !row layers = for_ [4, 2, 1] (go 0)
   where
-    go !column = when (column < width) $ do
-      let estimate = refinedEstimate traced uncertain (first column) column row
-          Radiance r g b = estimatedRadiance estimate
+    throughout =
+      Vector.generate (width `quot` spanLength + 1) $ \n ->
+        tracedThroughout traced (n * spanLength) row
+    apartAt column
+      | Vector.unsafeIndex throughout (column `quot` spanLength) = 4
+      | otherwise = coarseness traced column row
+    go !column !apart = when (column < width) $ do
+      when (apartAt column == apart) $ do
+        between <-
+          if apart == 4
+            then pure Nothing
+            else layersBetween traced <$> at (-3) <*> at (-1) <*> at 1 <*> at 3
+        forLayers (fromMaybe (tracedLayers traced column row) between) $ \k v ->
+          MVector.unsafeWrite layers (layerCount * column + k) (realToFrac v)
+      go (column + 1) apart
+      where
+        at k = do
+          let number i =
+                realToFrac <$> MVector.unsafeRead layers (layerCount * (column + k * apart) + i)
+          readLayers number
+
+-- | Finishes one row, from the layers and the number of their first row: light in three
+-- channels, and the number of rays.
+refineRow :: Tracer -> Int -> Int -> PixelArray Float -> Int -> MVector s Float -> ST s ()
+refineRow traced !width !layersFirst layers !row pixels = spans 0 (skyNode traced 0 row)
+  where
+    spans !column node = when (column < width) $ do
+      let end = column + spanLength
+          next = skyNode traced end row
+      go (pixelSpan traced node next column row) (min width end) column
+      spans end next
+    go within !end !column = when (column < end) $ do
+      let Pixel rays (Radiance r g b) = refinedPixel traced weights within layersAt column row
       MVector.unsafeWrite pixels (4 * column) (realToFrac r)
       MVector.unsafeWrite pixels (4 * column + 1) (realToFrac g)
       MVector.unsafeWrite pixels (4 * column + 2) (realToFrac b)
-      MVector.unsafeWrite pixels (4 * column + 3) (fromIntegral (estimateCount estimate))
-      go (column + 1)
-    scene = tracerScene traced
-    !numbers = toPixelVector sums
-    sumOf :: Int -> Int -> Int -> Double
-    sumOf c r k = realToFrac (Vector.unsafeIndex numbers (sumCount * (width * (r - sumsFirst) + c) + k))
-    first c = estimateFromSums (sceneSamples scene) (sumOf c row)
-    uncertain c r = uncertainEstimate scene (sumOf c r seenPlace) (sumOf c r (seenPlace + 1))
+      MVector.unsafeWrite pixels (4 * column + 3) (fromIntegral rays)
+      go within end (column + 1)
+    !weights = kernel (sceneFilter (tracerScene traced))
+    !numbers = toPixelVector layers
+    layersAt c r = runIdentity . readLayers $ \k ->
+      pure . realToFrac $
+        Vector.unsafeIndex numbers (layerCount * (width * (r - layersFirst) + c) + k)

@@ -127,7 +127,10 @@ interstellarScene :: Scene
 interstellarScene =
   maybe id (\hole scene -> scene {sceneSpacetime = Kerr hole}) (spin 0.6) $
     defaultScene
-      { sceneCamera =
+      { -- Rays that graze the opaque disk find its surface only to within a step.
+        sceneSamples = 2,
+        sceneNoise = 0.03,
+        sceneCamera =
           Camera (Around 37.05 (Degrees 86.56) (Degrees 90)) (Degrees (-4)) (Degrees 40),
         sceneDisk =
           Just
@@ -269,8 +272,8 @@ defaultScene =
       sceneSky = SkyStars realSky {realSkyMilkyWay = 1.2},
       sceneShifts = Shifts True True,
       sceneDebugTextures = False,
-      sceneSamples = 4,
-      sceneNoise = 0.04,
+      sceneSamples = 1,
+      sceneNoise = 0.06,
       sceneMostSamples = 64,
       sceneFilter = Gaussian,
       sceneExposure = Exposure 0,

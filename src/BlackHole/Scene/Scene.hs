@@ -124,8 +124,7 @@ sceneRegion scene = maybe emptyRegion (diskRegion fineness) (sceneDisk scene)
 -- uncertainty.
 mostSamples :: Scene -> Int
 mostSamples scene
-  | sceneNoise scene > 0 && sceneSamples scene > 1 =
-    max (sceneSamples scene) (sceneMostSamples scene)
+  | sceneNoise scene > 0 = max (sceneSamples scene) (sceneMostSamples scene)
   | otherwise = sceneSamples scene
 
 -- | How the scene's light is developed for a display.

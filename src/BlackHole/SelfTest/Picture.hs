@@ -101,7 +101,8 @@ shadowScene r fieldOfView =
       sceneObserver = Static,
       sceneDisk = Nothing,
       sceneSky = SkyUniform 1,
-      sceneSamples = 1
+      sceneSamples = 1,
+      sceneNoise = 0
     }
 
 -- | The codes of the default scene's pixels do not depend on the number of workers.
@@ -115,7 +116,7 @@ workersCheck = do
         | otherwise = fromIntegral differing
   pure (Check "one worker or two, differing bytes" value 0 0)
   where
-    scene = defaultScene {scenePicture = Picture 16 9, sceneSamples = 1}
+    scene = defaultScene {scenePicture = Picture 16 9, sceneSamples = 1, sceneNoise = 0}
     codes workers = withWorkers workers $ do
       exposed <- exposeFilm Nothing workers (const (pure ())) scene (allRows (scenePicture scene))
       case exposed of

@@ -19,11 +19,13 @@ module BlackHole.Trace.EnvironmentMap
     environmentMapFromSources,
     environmentMapMean,
     environmentMapRadiance,
+    linearBetween,
     turned,
   )
 where
 
 import BlackHole.Light.Radiance
+import BlackHole.Numeric.Angle (arcTangent2)
 import BlackHole.Numeric.Parallel (inParallel)
 import BlackHole.Trace.RayDifferential
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
@@ -221,8 +223,8 @@ data Place = Place !Double !Double
 placeOf :: XYZ -> Place
 placeOf (XYZ x y z) =
   Place
-    (0.5 + atan2 x (negate z) / (2 * pi))
-    (atan2 (sqrt (x * x + z * z)) y / pi)
+    (0.5 + arcTangent2 x (negate z) / (2 * pi))
+    (arcTangent2 (sqrt (x * x + z * z)) y / pi)
 {-# INLINE placeOf #-}
 
 -- | The direction of a point of the map.
@@ -326,6 +328,14 @@ environmentMapRadiance image differential
               (i + 1)
               (total + weight)
               (light <+> scaleRadiance weight (blurredRadiance image short (d ^+^ t *^ axis)))
+
+-- | Whether the light through all beams between two is close to linear, as between
+-- directions in one field of the finest level.
+linearBetween :: EnvironmentMap -> RayDifferential -> RayDifferential -> Bool
+linearBetween image first final =
+  XYZ.distance (differentialDirection first) (differentialDirection final) <= fieldSize image
+    && differentialExtent first <= fieldSize image
+    && differentialExtent final <= fieldSize image
 
 -- | Height of the finest fields, in radians.
 fieldSize :: EnvironmentMap -> Double

@@ -7,11 +7,7 @@ module BlackHole.Trace.Estimate
     estimatedRadiance,
     estimatedError,
     standardError,
-    sumCount,
-    seenPlace,
-    forSums,
-    estimateFromSums,
-    asStored,
+    seenAs,
   )
 where
 
@@ -77,32 +73,3 @@ standardError n seen square
   where
     count = fromIntegral n
 {-# INLINE standardError #-}
-
--- | The number of sums that 'forSums' visits.
-sumCount :: Int
-sumCount = 9
-
--- | The index of 'estimateSeen' among the sums; 'estimateSeenSquare' has the next one.
-seenPlace :: Int
-seenPlace = 7
-
--- | Runs an action for each of an estimate's sums and its index, counted from 0. The
--- number of samples is not among them.
-forSums :: Applicative f => Estimate -> (Int -> Double -> f ()) -> f ()
-forSums (Estimate _ (Radiance r g b) (Radiance r' g' b') weights seen square) act =
-  act 0 r *> act 1 g *> act 2 b *> act 3 r' *> act 4 g' *> act 5 b' *> act 6 weights *> act seenPlace seen *> act (seenPlace + 1) square
-{-# INLINE forSums #-}
-
--- | The estimate with this number of samples and the sums that the function returns for
--- each index.
-estimateFromSums :: Int -> (Int -> Double) -> Estimate
-estimateFromSums n at =
-  Estimate n (Radiance (at 0) (at 1) (at 2)) (Radiance (at 3) (at 4) (at 5)) (at 6) (at seenPlace) (at (seenPlace + 1))
-{-# INLINE estimateFromSums #-}
-
--- | The estimate rounded to what a film in single precision stores.
-asStored :: Estimate -> Estimate
-asStored (Estimate n plain weighted weights seen square) =
-  Estimate n (mapRadiance single plain) (mapRadiance single weighted) (single weights) (single seen) (single square)
-  where
-    single v = realToFrac (realToFrac v :: Float)

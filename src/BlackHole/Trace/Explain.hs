@@ -26,10 +26,10 @@ import BlackHole.Spacetime.LightPath
 import BlackHole.Spacetime.Observer (Constants, SightLine, sightConstants, sightFrequency)
 import BlackHole.Spacetime.PlaneCrossing (PlaneCrossing)
 import BlackHole.Trace.Adaptive
-import BlackHole.Trace.Estimate
 import BlackHole.Trace.Gas
 import BlackHole.Trace.Ray
 import BlackHole.Trace.Sampling (Sample (..))
+import BlackHole.Trace.SkyLight (SkyPatch, sharedSky)
 import BlackHole.Trace.Tracer
 import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ)
@@ -41,9 +41,12 @@ data Explanation = Explanation
     explainedPixel :: !(Int, Int),
     -- | The line of sight through the middle of the pixel.
     explainedMiddle :: !Sighting,
-    -- | The lines of sight that the renderer traces; with one sample, the middle.
+    -- | The radiance that the first rays of the pixel and its neighbours give, if it
+    -- counts: as much as 'sharedWorth' samples.
+    explainedShared :: !(Maybe Radiance),
+    -- | The lines of sight that the renderer traces for this pixel alone.
     explainedSamples :: ![Sighting],
-    -- | Their mean, which is the pixel's radiance on the film.
+    -- | The mean of both, which is the pixel's radiance on the film.
     explainedRadiance :: !Radiance,
     explainedShown :: !Shown
   }
@@ -113,9 +116,10 @@ explainPixel traced column row
         { explainedPixel = (column, row),
           explainedMiddle =
             sighting scene traced Nothing (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)),
+          explainedShared = originShared origin,
           explainedSamples =
-            [ (sighting scene traced (pixelSky traced column row) place) {sightingWeight = weight}
-              | Sample place weight <- pixelSamples traced (estimateCount estimate) column row
+            [ (sighting scene traced (originSky origin) place) {sightingWeight = weight}
+              | Sample place weight <- originSamples origin
             ],
           explainedRadiance = radiance,
           explainedShown = shownAs scene column row radiance
@@ -123,8 +127,8 @@ explainPixel traced column row
   where
     scene = tracerScene traced
     Picture width height = scenePicture scene
-    estimate = pixelEstimate traced column row
-    radiance = estimatedRadiance estimate
+    origin = pixelOrigin traced column row
+    radiance = pixelRadiance (singlePixel traced column row)
 
 sighting :: Scene -> Tracer -> Maybe SkyPatch -> XY -> Sighting
 sighting scene traced shared point =

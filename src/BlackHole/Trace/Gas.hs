@@ -30,6 +30,7 @@ import BlackHole.Spacetime.Types (Spacetime, spacetimeHorizon, spacetimeSpin)
 import BlackHole.Trace.GasField
 import BlackHole.Trace.Tabulated
 import BlackHole.Vector.XYZ (XYZ (..))
+import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Word (Word64)
 import GHC.Exts (lazy)
 
@@ -68,6 +69,9 @@ pass !tau !source (Gathered light transmittance) =
 -- | The gas of a disk, prepared for tracing.
 data Gas = Gas
   { gasDensity :: !GasField,
+    -- | The camera's position, and the angle of a pixel in radians.
+    gasEye :: {-# UNPACK #-} !XYZ,
+    gasPixel :: {-# UNPACK #-} !Double,
     gasOuter :: {-# UNPACK #-} !Double,
     -- | Opacity per length of dense gas.
     gasExtinction :: {-# UNPACK #-} !Double,
@@ -89,13 +93,15 @@ data Glow
     -- the function for temperatures beyond that table.
     ByTemperature !Tabulated !Tabulated !(Double -> Radiance)
 
--- | @gas space seed shifts disk eye pixel samples@ is the gas of a disk with its seed and
+-- | @gas space seed shifts disk eye pixel@ is the gas of a disk with its seed and
 -- the frequency shifts that apply, for a camera at @eye@ whose pixels subtend @pixel@
--- radians and get @samples@ samples each.
-gas :: Spacetime -> Word64 -> Shifts -> Disk -> XYZ -> Double -> Int -> Gas
-gas space seed shifts disk eye pixel samples =
+-- radians.
+gas :: Spacetime -> Word64 -> Shifts -> Disk -> XYZ -> Double -> Gas
+gas space seed shifts disk eye pixel =
   Gas
-    { gasDensity = gasField space seed disk eye pixel samples,
+    { gasDensity = gasField space seed disk,
+      gasEye = eye,
+      gasPixel = pixel,
       gasOuter = diskOuterRadius disk,
       gasExtinction = diskOpacity disk / diskThickness disk,
       gasShifts = shifts,
@@ -103,7 +109,9 @@ gas space seed shifts disk eye pixel samples =
       gasAround = gasFlow space,
       gasGlow = case diskColour disk of
         HueRamp -> ByRadius (diskBrightness disk)
-        BlackBody peak -> let blackBody = blackBodyRadiance BlackBodyTable.Bolometric peak in byTemperature thin (\t -> blackBody (t * peak))
+        BlackBody peak ->
+          let blackBody = blackBodyRadiance BlackBodyTable.Bolometric peak
+           in byTemperature thin (\t -> blackBody (t * peak))
         Bolometric -> byTemperature thin bolometric
         Synchrotron -> byTemperature recip bolometric
     }
@@ -112,16 +120,17 @@ gas space seed shifts disk eye pixel samples =
     thin = relativeTemperature (thinDisk (spacetimeSpin space))
     byTemperature temperatureAt light =
       ByTemperature
-        (tabulate 1 2048 (regionInnerRadius (diskRegion Fine disk)) (diskOuterRadius disk) (pure . temperatureAt))
+        (tabulate 1 2048 innermost (diskOuterRadius disk) (pure . temperatureAt))
         (tabulate 3 4096 0 hottest (\t -> let Radiance r g b = glow t in [r, g, b]))
         glow
       where
+        innermost = regionInnerRadius (diskRegion Fine disk)
         glow t = scaleRadiance (diskBrightness disk) (light t)
 
--- | The gas for another camera position, pixel size and number of samples, without
--- computing its tables again.
-gasSeenFrom :: XYZ -> Double -> Int -> Gas -> Gas
-gasSeenFrom eye pixel samples g = g {gasDensity = seenFrom eye pixel samples (gasDensity g)}
+-- | The gas for another camera position and pixel size, without computing its tables
+-- again.
+gasSeenFrom :: XYZ -> Double -> Gas -> Gas
+gasSeenFrom eye pixel g = g {gasEye = eye, gasPixel = pixel}
 
 -- | The highest relative temperature in the table. Only an observer who falls or orbits
 -- close to the hole sees higher ones.
@@ -137,7 +146,7 @@ gatherGas g observed gathered segment = onward (throughGas g observed gathered s
 -- Not inlined, because the loop that follows a path would run out of registers. 'lazy'
 -- makes GHC pass the gas as a pointer instead of unpacking it.
 throughGas :: Gas -> Double -> Gathered -> PathSegment -> Gathered
-throughGas prepared !observed !gathered !segment = case gasAt (gasDensity g) place r extent slant of
+throughGas prepared !observed !gathered !segment = case gasAt (gasDensity g) place r resolved of
   Here dense heat
     | dense < thinnestGas -> gathered
     | otherwise -> shining (gasExtinction g * dense) heat
@@ -145,11 +154,14 @@ throughGas prepared !observed !gathered !segment = case gasAt (gasDensity g) pla
     g = lazy prepared
     !place@(XYZ _ py _) = segmentMiddle segment
     !r = segmentRadius segment
-    -- Structure is drawn out along the orbits, so the relevant length is that across
-    -- the orbits, plus a tenth of the whole.
     !inward = abs (segmentRadialStep segment)
     !upward = abs (segmentVerticalStep segment)
-    !extent = max inward upward + 0.1 * segmentLength segment
+    -- The length that the gas resolves: that of the pixel's image on it, and no less than a
+    -- fifth of the segment across the orbits, along which structure is drawn out.
+    !resolved =
+      max
+        (0.2 * (max inward upward + 0.1 * segmentLength segment))
+        (gasPixel g * slant * XYZ.distance place (gasEye g))
     !slant = min 8 (max 1 (0.7 * inward / (upward + 1e-9 * segmentAffineLength segment)))
     shining !opacity !heat = case gasGlow g of
       ByRadius brightness ->
@@ -170,7 +182,9 @@ throughGas prepared !observed !gathered !segment = case gasAt (gasDensity g) pla
           Shifts doppler gravity = gasShifts g
           !frequency = if doppler then emitted else static
           !tau = opacity * frequency * segmentAffineLength segment
-          !shift = (if gravity then observed / static else 1) * (if doppler then static / emitted else 1)
+          !shift =
+            (if gravity then observed / static else 1)
+              * (if doppler then static / emitted else 1)
           !warmth = if heat == 0 then 1 else exponential heat
           !temperature = warmth * shift * valueAt temperatures (rowAt temperatures r) 0
           source

@@ -24,7 +24,6 @@
 module BlackHole.Trace.GasField
   ( GasField,
     gasField,
-    seenFrom,
     Here (..),
     gasAt,
     faintest,
@@ -45,7 +44,6 @@ import BlackHole.Spacetime.Types (Spacetime)
 import BlackHole.Trace.Seeds
 import BlackHole.Trace.Tabulated
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
-import qualified BlackHole.Vector.XYZ as XYZ
 import qualified Data.Vector.Unboxed as U
 import Data.Word (Word64)
 import Numeric (log1p)
@@ -87,13 +85,7 @@ data GasField = GasField
     -- | By the length to resolve over r: how many octaves of the turbulence, what
     -- the others add to the density's logarithm on the average, and ln of the mean
     -- of T⁴ that these make, over 4.
-    fieldDetail :: !Tabulated,
-    fieldEye :: !XYZ,
-    -- | The angle of a pixel, in radians.
-    fieldPixel :: {-# UNPACK #-} !Double,
-    -- | The part of a segment that has to be resolved: the samples of a pixel
-    -- share the work.
-    fieldShare :: {-# UNPACK #-} !Double
+    fieldDetail :: !Tabulated
   }
 
 -- | One pattern of turbulence.
@@ -105,10 +97,9 @@ data Pattern
       {-# UNPACK #-} !Double
       {-# UNPACK #-} !Double
 
--- | @gasField space seed disk eye pixel samples@ is the gas of a disk, for a camera at
--- @eye@ whose pixels subtend @pixel@ radians and get @samples@ samples each.
-gasField :: Spacetime -> Word64 -> Disk -> XYZ -> Double -> Int -> GasField
-gasField space seed disk eye pixel samples =
+-- | The gas of a disk, with its seed.
+gasField :: Spacetime -> Word64 -> Disk -> GasField
+gasField space seed disk =
   GasField
     { fieldOuter = outer,
       fieldThickness = diskThicknessAt disk 0,
@@ -140,10 +131,7 @@ gasField space seed disk eye pixel samples =
       fieldFirst = first,
       fieldSecond = second,
       fieldRadial = tabulate 3 2048 innermost outer $ \r -> [logEdges r, log r, rate r / (2 * pi)],
-      fieldDetail = tabulate 3 1024 0 1 (detail disk moments),
-      fieldEye = eye,
-      fieldPixel = pixel,
-      fieldShare = shareOf samples
+      fieldDetail = tabulate 3 1024 0 1 (detail disk moments)
     }
   where
     inner = diskInnerRadius disk
@@ -157,33 +145,38 @@ gasField space seed disk eye pixel samples =
     armScale = 16 * diskArmNoiseFrequency disk
     -- The arms turn with the gas half way out, by orders of magnitude.
     armTurn = diskTime disk * rate (sqrt (max 1 inner * outer))
-    noise = sheets (purposeSeed seed GasTurbulence) (diskTurbulenceOctaves disk) (diskTurbulenceGain disk)
-    woven = Weave (diskTurbulenceFilaments disk) (diskTurbulenceWarp disk) (diskTurbulenceGrowth disk)
+    noise =
+      sheets
+        (purposeSeed seed GasTurbulence)
+        (diskTurbulenceOctaves disk)
+        (diskTurbulenceGain disk)
+    woven =
+      Weave
+        (diskTurbulenceFilaments disk)
+        (diskTurbulenceWarp disk)
+        (diskTurbulenceGrowth disk)
     moments = turbulenceMoments disk noise woven first second
     -- ln ⟨T⁴⟩ / 4 over the phase of the arms.
     armHeat
       | diskTurbulenceHeat disk == 0 || diskArms disk == 0 = 0
-      | otherwise = 0.25 * log (sum [exp (4 * diskTurbulenceHeat disk * armFluctuation (diskArmDepth disk) (sin (2 * pi * fromIntegral k / 256))) | k <- [1 .. 256 :: Int]] / 256)
+      | otherwise = 0.25 * log (sum [heatOf (sin phase) | phase <- phases] / 256)
+    heatOf wave = exp (4 * diskTurbulenceHeat disk * armFluctuation (diskArmDepth disk) wave)
+    phases = [2 * pi * fromIntegral k / 256 | k <- [1 .. 256 :: Int]]
     (first, second) = patterns (diskTime disk * rate inner / (2 * pi)) (2 * pi / rate inner)
     rate = patternRate space
-
--- | The gas for another camera position, pixel size and number of samples, which are the
--- last arguments of 'gasField'. The tables are kept, so this costs nothing.
-seenFrom :: XYZ -> Double -> Int -> GasField -> GasField
-seenFrom eye pixel samples field = field {fieldEye = eye, fieldPixel = pixel, fieldShare = shareOf samples}
-
--- | The fraction of a segment that one of this many samples of a pixel has to resolve.
-shareOf :: Int -> Double
-shareOf samples = 1 / sqrt (fromIntegral samples)
 
 -- | The two patterns at a time in lives, each life of this length. Their weights
 -- add up to 1; the sum of their squares is made 1 in 'turbulence'.
 patterns :: Double -> Double -> (Pattern, Pattern)
-patterns lives life = (pattern' lives (1 - 2 * abs early) early, pattern' (lives + 0.5) (2 * abs early) late)
+patterns lives life =
+  ( pattern' lives (1 - 2 * abs early) early,
+    pattern' (lives + 0.5) (2 * abs early) late
+  )
   where
     early = turnFraction lives
     late = turnFraction (lives + 0.5)
-    pattern' at weight age = Pattern (weight / norm) (age * life) (17.3 * fromIntegral (round at :: Int))
+    pattern' at weight age =
+      Pattern (weight / norm) (age * life) (17.3 * fromIntegral (round at :: Int))
     norm = sqrt ((1 - 2 * abs early) ^ (2 :: Int) + (2 * abs early) ^ (2 :: Int))
 
 -- | The number of octaves of turbulence that a length (over r) resolves, those whose
@@ -198,7 +191,9 @@ detail disk moments len = [count, density full - density count, heat count]
     heat = between snd
     -- Four values for each octave.
     between part at = case drop (floor (4 * at) :: Int) moments of
-      low : high : _ -> let t = 4 * at - fromIntegral (floor (4 * at) :: Int) in part low + t * (part high - part low)
+      low : high : _ ->
+        let t = 4 * at - fromIntegral (floor (4 * at) :: Int)
+         in part low + t * (part high - part low)
       [end] -> part end
       [] -> 0
 
@@ -211,8 +206,11 @@ turbulenceMoments disk noise woven first second =
   [moments (0.25 * fromIntegral k) | k <- [0 .. 4 * length (sheetsAmplitudes noise)]]
   where
     places = 1024 :: Int
-    moments count = (meanOf 1 values, if diskTurbulenceHeat disk == 0 then 0 else 0.25 * meanOf (4 * diskTurbulenceHeat disk) values)
+    moments count = (meanOf 1 values, heat)
       where
+        heat
+          | diskTurbulenceHeat disk == 0 = 0
+          | otherwise = 0.25 * meanOf (4 * diskTurbulenceHeat disk) values
         values = U.generate places (\i -> diskTurbulence disk * value count (fromIntegral i))
     meanOf power values = log (U.sum (U.map (exponential . (power *)) values) / fromIntegral places)
     -- Evenly spread (the additive recurrence of the plastic number).
@@ -241,12 +239,10 @@ data Here = Here
   }
   deriving (Eq, Show)
 
--- | @gasAt field place r len slant@ is the gas at a position at the distance @r@ from the
--- hole, smoothed to what a path segment of length @len@ across the orbits can resolve,
--- in a pixel whose footprint on the gas is @slant@ times as long as wide. The density is
--- 0 below 'thinnestGas'.
-gasAt :: GasField -> XYZ -> Double -> Double -> Double -> Here
-gasAt field place@(XYZ x y z) !r !len !slant
+-- | @gasAt field place r len@ is the gas at a position at the distance @r@ from the hole,
+-- smoothed to what a length of @len@ can resolve. The density is 0 below 'thinnestGas'.
+gasAt :: GasField -> XYZ -> Double -> Double -> Here
+gasAt field place@(XYZ x y z) !r !len
   | r >= fieldOuter field = Here 0 0
   | profile - plain * plain < faintest = Here thin 0
   | otherwise =
@@ -256,13 +252,24 @@ gasAt field place@(XYZ x y z) !r !len !slant
           | otherwise = displacement field place
         !wave = armWave field r azimuth displaced
         !height = plain / armThickness field wave
-        !finest = max (fieldShare field * len) (fieldPixel field * slant * XYZ.distance place (fieldEye field)) / r
-        !resolved = rowAt (fieldDetail field) finest
-        !swirl = turbulence field place r (valueAt (fieldDetail field) resolved 0) azimuth (valueAt (fieldRadial field) row 1) (valueAt (fieldRadial field) row 2)
-        !dense = exponential (profile - height * height + swirl + valueAt (fieldDetail field) resolved 1)
+        !resolved = rowAt (fieldDetail field) (len / r)
+        !swirl =
+          turbulence
+            field
+            place
+            r
+            (valueAt (fieldDetail field) resolved 0)
+            azimuth
+            (valueAt (fieldRadial field) row 1)
+            (valueAt (fieldRadial field) row 2)
+        !dense =
+          exponential (profile - height * height + swirl + valueAt (fieldDetail field) resolved 1)
         !heat
           | fieldHeat field == 0 = 0
-          | otherwise = fieldHeat field * (swirl + armFluctuation (fieldArmDepth field) wave) - valueAt (fieldDetail field) resolved 2 - fieldArmHeat field
+          | otherwise =
+            fieldHeat field * (swirl + armFluctuation (fieldArmDepth field) wave)
+              - valueAt (fieldDetail field) resolved 2
+              - fieldArmHeat field
      in -- A literal below 1e-99 would be computed anew each time, on the heap (GHC 9.2 and later).
         Here (dense + thin) (heat * (dense / (dense + thin + 1e-99)))
   where
@@ -286,7 +293,10 @@ haze field !profile !plain
 -- | The noise that displaces the arms, from −1 to 1. It rotates with them.
 displacement :: GasField -> XYZ -> Double
 displacement field (XYZ x y z) =
-  cachedPerlin3 (fieldDisplacement field) 64 (armPlace (fieldArmScale field) (XYZ (c * x - s * z) y (s * x + c * z)))
+  cachedPerlin3
+    (fieldDisplacement field)
+    64
+    (armPlace (fieldArmScale field) (XYZ (c * x - s * z) y (s * x + c * z)))
   where
     c = fieldArmCosine field
     s = fieldArmSine field
@@ -298,7 +308,9 @@ armWave field r azimuth displaced
   | fieldArmDepth field == 0 = 0
   | otherwise =
     sineOfTurns
-      (fieldArms field * (azimuth - fieldArmTurns field) + (fieldArmWinding field * r + fieldArmNoise field * displaced) * (1 / (2 * pi)))
+      ( fieldArms field * (azimuth - fieldArmTurns field)
+          + (fieldArmWinding field * r + fieldArmNoise field * displaced) * (1 / (2 * pi))
+      )
 {-# INLINE armWave #-}
 
 -- | The thickness of the disk over that without arms, at most 1.
@@ -322,12 +334,21 @@ armFluctuation depth wave = depth / (1 - depth) * wave * wave * wave
 turbulence :: GasField -> XYZ -> Double -> Double -> Double -> Double -> Double -> Double
 turbulence field (XYZ _ y _) r count azimuth logR !rate
   | fieldTurbulence field == 0 = 0
-  | otherwise = fieldTurbulence field * weave (fieldSheets field) (fieldWeave field) count v (strand (fieldFirst field)) (strand (fieldSecond field))
+  | otherwise =
+    fieldTurbulence field
+      * weave
+        (fieldSheets field)
+        (fieldWeave field)
+        count
+        v
+        (strand (fieldFirst field))
+        (strand (fieldSecond field))
   where
     !v = fieldFrequency field * logR
     !height = fieldFrequency field * y / r
     !turns = azimuth + fieldTrail field * logR
-    strand (Pattern weight age shift) = Strand weight (turnFraction (turns - rate * age)) (height + shift)
+    strand (Pattern weight age shift) =
+      Strand weight (turnFraction (turns - rate * age)) (height + shift)
 {-# INLINE turbulence #-}
 
 -- | The greatest number of lattice points cached for one noise: 2 MB.

@@ -6,8 +6,10 @@
 module BlackHole.Trace.PhotonRing
   ( PhotonRing,
     photonRing,
+    photonRingWithin,
     addRingSamples,
     ringPoint,
+    ringPatch,
   )
 where
 
@@ -17,6 +19,7 @@ import BlackHole.Spacetime.Follow (shadowOffset)
 import BlackHole.Trace.Estimate
 import BlackHole.Trace.Ray
 import BlackHole.Trace.Sampling
+import BlackHole.Trace.SkyLight
 import BlackHole.Trace.Tracer
 import BlackHole.Vector.XY (XY (..))
 import GHC.Exts (lazy)
@@ -49,6 +52,14 @@ photonRing traced point@(XY x y) = case (tracerMatter traced, tracedOffset trace
   where
     scene = tracerScene traced
 
+-- | @photonRingWithin traced widths point@ tells whether 'shadowOffset' at a point of the
+-- picture is less than this many times a pixel's angle. For an observer at rest it grows by
+-- about that angle per pixel; for fast ones by up to ten times as much.
+photonRingWithin :: Tracer -> Double -> XY -> Bool
+photonRingWithin traced widths point = case tracedOffset traced point of
+  Just here -> abs here < widths * pixelWidth (tracerScene traced)
+  Nothing -> False
+
 -- | 'shadowOffset' of the light path that arrives at a point of the picture.
 tracedOffset :: Tracer -> XY -> Maybe Double
 tracedOffset traced place = tracedSight traced place >>= shadowOffset (tracerPaths traced)
@@ -59,13 +70,18 @@ addRingSamples :: Tracer -> PhotonRing -> Int -> Int -> Estimate -> Int -> Int -
 addRingSamples prepared ring from to estimate column row = go from estimate
   where
     traced = lazy prepared
-    shared = pixelSky traced column row
+    shared = ringPatch traced ring column row
     go !index !sums
       | index < to =
         let Sample place weight = ringPoint traced ring column row index
             light = if weight == 0 then black else sharingRadiance traced shared place
          in go (index + 1) (addSample (tracerGain traced) weight light sums)
       | otherwise = sums
+
+-- | The sky behind a pixel on the photon ring, for all of its samples.
+ringPatch :: Tracer -> PhotonRing -> Int -> Int -> Maybe SkyPatch
+ringPatch traced ring column row =
+  ringSky traced [samplePlace (ringPoint traced ring column row k) | k <- [0 .. 7]]
 
 -- | One of the samples of a pixel on the photon ring, by column, row and sample number:
 -- more of them where the images of the gas are thinner.

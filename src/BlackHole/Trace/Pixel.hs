@@ -15,6 +15,7 @@ import BlackHole.Scene.Scene
 import BlackHole.Trace.Estimate
 import BlackHole.Trace.Ray
 import BlackHole.Trace.Sampling
+import BlackHole.Trace.SkyLight
 import BlackHole.Trace.Tracer
 import GHC.Exts (lazy)
 
@@ -28,14 +29,26 @@ addSamples prepared from to estimate column row = go from estimate
     go !index !sums
       | index < to =
         let Sample place weight = samplePoint (tracerScene traced) column row index
-         in go (index + 1) (addSample (tracerGain traced) weight (sharingRadiance traced shared place) sums)
+         in go
+              (index + 1)
+              (addSample (tracerGain traced) weight (sharingRadiance traced shared place) sums)
       | otherwise = sums
 
 -- | 'addSamples' for three pixels in a row, starting at a column.
-addSamplesToThree :: Tracer -> Int -> Int -> Estimate -> Estimate -> Estimate -> Int -> Int -> (Estimate, Estimate, Estimate)
-addSamplesToThree traced from to estimate0 estimate1 estimate2 column row = case sceneIntegrator scene of
-  Leapfrogging | Nothing <- tracerLens traced -> go from estimate0 estimate1 estimate2
-  _ -> (single estimate0 column, single estimate1 (column + 1), single estimate2 (column + 2))
+addSamplesToThree ::
+  Tracer ->
+  Int ->
+  Int ->
+  Estimate ->
+  Estimate ->
+  Estimate ->
+  Int ->
+  Int ->
+  (Estimate, Estimate, Estimate)
+addSamplesToThree traced from to estimate0 estimate1 estimate2 column row =
+  case sceneIntegrator scene of
+    Leapfrogging | Nothing <- tracerLens traced -> go from estimate0 estimate1 estimate2
+    _ -> (single estimate0 column, single estimate1 (column + 1), single estimate2 (column + 2))
   where
     scene = tracerScene traced
     single estimate c = addSamples traced from to estimate c row

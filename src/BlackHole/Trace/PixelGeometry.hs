@@ -44,15 +44,20 @@ pixelGeometry scene = at <$> cameraFrame (sceneCamera scene)
     !traced = tracing (sceneSpacetime scene) ByTable place
     at frame = look
       where
-        !plane = picturePlane (sceneProjection scene) (sceneCamera scene) (scenePicture scene) frame
+        !plane =
+          picturePlane (sceneProjection scene) (sceneCamera scene) (scenePicture scene) frame
         look column row =
-          case sightDirection plane (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)) >>= sightFrom seer of
+          case sightDirection plane middle >>= sightFrom seer of
             Nothing -> PixelGeometry Nothing Nothing
-            Just sight -> PixelGeometry (pathDeflection traced sight) (sceneDisk scene >>= hit sight)
+            Just sight ->
+              PixelGeometry (pathDeflection traced sight) (sceneDisk scene >>= hit sight)
+          where
+            middle = XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)
     hit sight disk =
       listToMaybe
         [ redshiftFactor shift <$ crossing
           | crossing <- planeCrossings traced sight,
-            crossingRadius crossing >= diskInnerRadius disk && crossingRadius crossing <= diskOuterRadius disk,
+            let r = crossingRadius crossing,
+            r >= diskInnerRadius disk && r <= diskOuterRadius disk,
             Just shift <- [crossingRedshift flow sight crossing]
         ]

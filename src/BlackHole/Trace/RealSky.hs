@@ -130,7 +130,8 @@ decodeMilkyWay bytes = environmentMapFromPixels width height $ \i j ->
       | k < Bytes.length bytes = fromIntegral (Bytes.unsafeIndex bytes k) :: Int
       | otherwise = 0
     -- Stars of magnitude 10 per square degree, as fluxes of magnitude 0 per steradian.
-    brightnesses = U.generate 256 (\n -> 4 * 10 ** (fromIntegral n / 100) * 1e-4 * (180 / pi) ** 2 :: Double)
+    brightnesses = U.generate 256 $ \n ->
+      4 * 10 ** (fromIntegral n / 100) * 1e-4 * (180 / pi) ** 2 :: Double
     -- Linear between the middles of the colours' cells, which are four pixels wide, in
     -- eighths of a cell.
     colourAt i j =
@@ -138,11 +139,13 @@ decodeMilkyWay bytes = environmentMapFromPixels width height $ \i j ->
           (row, down) = max 0 (min (8 * (rows - 1)) (2 * j - 3)) `quotRem` 8
           at r c = byte (width * height + columns * min (rows - 1) r + c `rem` columns)
           mixed r = (8 - right) * at r column + right * at r (column + 1)
-          (red, green, blue) = U.unsafeIndex colours (((8 - down) * mixed row + down * mixed (row + 1)) `quot` 8)
+          eighths = ((8 - down) * mixed row + down * mixed (row + 1)) `quot` 8
+          (red, green, blue) = U.unsafeIndex colours eighths
        in Radiance red green blue
     columns = 180
     rows = 90
     -- For every eighth of a code.
     colours = U.generate (8 * 255 + 1) $ \n ->
-      let Radiance red green blue = tabulatedColour (temperatureOfColour (fromIntegral n / (8 * 170) + 0.2))
+      let temperature = temperatureOfColour (fromIntegral n / (8 * 170) + 0.2)
+          Radiance red green blue = tabulatedColour temperature
        in (red, green, blue)

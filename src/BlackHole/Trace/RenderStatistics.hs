@@ -14,9 +14,8 @@ import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
 import BlackHole.Spacetime.Fate
 import BlackHole.Spacetime.LightPath (Continue (..), Followed (..))
-import BlackHole.Trace.Adaptive (pixelEstimate)
+import BlackHole.Trace.Adaptive (Pixel (..), singlePixel)
 import BlackHole.Trace.EnvironmentMap (EnvironmentMap)
-import BlackHole.Trace.Estimate (estimateCount)
 import BlackHole.Trace.Explain (gatheredAlong)
 import BlackHole.Trace.Ray
 import BlackHole.Trace.Tracer
@@ -86,7 +85,7 @@ renderStatistics picture scene (first, rows)
     look traced exact !column !row =
       let point = XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)
           rays =
-            if adaptive then estimateCount (pixelEstimate traced column row) else sceneSamples scene
+            if adaptive then pixelRays (singlePixel traced column row) else sceneSamples scene
        in case (tracedSight traced point, tracedSight exact point) of
             (Just sight, Just sight') ->
               let (fate, steps, gasSamples) = gatheredAlong traced point sight

@@ -15,6 +15,7 @@ module BlackHole.Trace.Sampling
   ( Sample (..),
     sampleOf,
     curveSample,
+    filterDensity,
   )
 where
 
@@ -78,21 +79,18 @@ curveSample reconstruction !seed (XY nx ny) distance !column !row !index =
           high = asinh (max 0 (d + reach) / finest)
           across
             | high <= low = bell u
-            | otherwise = quantile (20 :: Int) (negate reach) reach
-          -- The place below which the mixture has the part u, within 3e-6 pixels.
-          quantile n from to
-            | n == 0 = middle
-            | likeFilter * below middle + (1 - likeFilter) * nearer middle < u = quantile (n - 1) middle to
-            | otherwise = quantile (n - 1) from middle
-            where
-              middle = 0.5 * (from + to)
-          nearer x = max 0 (min 1 ((asinh ((d + x) / finest) - low) / (high - low)))
+            | u < likeFilter = bell (u / likeFilter)
+            | otherwise =
+              finest * sinh (low + (u - likeFilter) / (1 - likeFilter) * (high - low)) - d
           offsetX = across * nx - along * ny
           offsetY = across * ny + along * nx
           density
             | high <= low = bellDensity across
             | d + across <= 0 = likeFilter * bellDensity across
-            | otherwise = likeFilter * bellDensity across + (1 - likeFilter) / ((high - low) * sqrt ((d + across) * (d + across) + finest * finest))
+            | otherwise =
+              likeFilter * bellDensity across
+                + (1 - likeFilter)
+                  / ((high - low) * sqrt ((d + across) * (d + across) + finest * finest))
        in Sample
             (XY (middleX + offsetX) (middleY + offsetY))
             (filterDensity reconstruction offsetX offsetY / (bellDensity along * density))
@@ -113,7 +111,6 @@ curveSample reconstruction !seed (XY nx ny) distance !column !row !index =
       Mitchell -> (sqrt 8, 0.66)
     edge = tanh (reach / width)
     bell p = width * atanh (edge * (2 * p - 1))
-    below x = 0.5 + 0.5 * tanh (x / width) / edge
     bellDensity x = let t = tanh (x / width) in (1 - t * t) / (2 * width * edge)
 
 -- | The filter at an offset from the pixel's middle; its integral is 1.
@@ -189,7 +186,9 @@ mitchellQuantiles = primArrayFromListN (quantileCount + 1) (go 0 0 (zip places s
     go :: Int -> Double -> [(Double, Double)] -> [Double]
     go k lastPlace rest
       | k > quantileCount = []
-      | otherwise = case dropWhile ((< whole * fromIntegral k / fromIntegral quantileCount) . snd) rest of
+      | otherwise = case dropWhile ((< part) . snd) rest of
         found@((p, _) : _) -> p : go (k + 1) p found
         [] -> lastPlace : go (k + 1) lastPlace []
+      where
+        part = whole * fromIntegral k / fromIntegral quantileCount
 {-# NOINLINE mitchellQuantiles #-}

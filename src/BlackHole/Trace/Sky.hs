@@ -3,6 +3,7 @@
 -- | Light from the celestial sphere.
 module BlackHole.Trace.Sky
   ( SkyShader (..),
+    Between (..),
     skyShader,
     panoramaShader,
     neededPicture,
@@ -31,10 +32,20 @@ import Data.Word (Word64)
 
 -- | Light from the sky for an observer who sees it at g times its frequency: a function
 -- of the direction alone (unit length, in which the path escapes), or of the whole beam
--- where the sky has details finer than a pixel.
+-- where the sky is filtered for it. The latter come with what they simplify to between two
+-- beams that differ little.
 data SkyShader
   = ByDirection !(Double -> XYZ -> Radiance)
-  | ByDifferential !(Double -> RayDifferential -> Radiance)
+  | ByDifferential
+      !(RayDifferential -> RayDifferential -> Between)
+      !(Double -> RayDifferential -> Radiance)
+
+-- | The light of a sky between two beams.
+data Between
+  = -- | It changes linearly from one to the other.
+    Linear
+  | -- | A shader finds it.
+    Shaded !(Double -> RayDifferential -> Radiance)
 
 -- | The light of a sky, given the scene's seed. A star is a black body and changes its
 -- colour with g; light of unknown spectrum keeps its colour. Either way the intensity
@@ -46,11 +57,13 @@ skyShader :: Maybe EnvironmentMap -> Word64 -> Sky -> Maybe SkyShader
 skyShader picture seed sky = case sky of
   SkyPanorama panorama -> panoramaShader panorama <$> picture
   SkyNoise stars -> Just (ByDirection (starRadiance seed stars))
-  SkyStars settings -> ByDifferential . realSkyRadiance settings <$> realMilkyWay
-  SkyRandomStars stars -> Just (ByDifferential (pointStarRadiance seed stars))
-  SkyGrid -> Just (ByDirection (\g direction -> scaleRadiance (g * g * (g * g)) (gridRadiance direction)))
+  SkyStars settings -> starsAndMilkyWay settings <$> realMilkyWay
+  SkyRandomStars stars -> Just (throughout (pointStarRadiance seed stars))
+  SkyGrid -> Just (ByDirection grid)
   SkyUniform v -> Just (ByDirection (\g _ -> grey (v * g ^ (4 :: Int))))
-  SkyNone -> Just (ByDirection (\_ _ -> black))
+  SkyNone -> Just (ByDifferential (\_ _ -> Linear) (\_ _ -> black))
+  where
+    grid g direction = scaleRadiance (g * g * (g * g)) (gridRadiance direction)
 
 -- | The environment map that must be read before a scene can be traced.
 neededPicture :: Scene -> Maybe FilePath
@@ -60,19 +73,29 @@ neededPicture scene = case sceneSky scene of
 
 -- | The real stars before the real Milky Way, whose light has about the colour of one
 -- black body and takes on that of another for an observer who sees it shifted.
-realSkyRadiance :: RealSky -> EnvironmentMap -> Double -> RayDifferential -> Radiance
-realSkyRadiance settings milkyWayImage =
-  stars `seq` milkyWayImage `seq` \g differential ->
-    let turnedDifferential = turn differential
-     in scaleRadiance gain (starFieldRadiance stars g turnedDifferential)
-          <+> scaleRadiance (diffuse * (g * g * (g * g))) (tint g (environmentMapRadiance milkyWayImage turnedDifferential))
+starsAndMilkyWay :: RealSky -> EnvironmentMap -> SkyShader
+starsAndMilkyWay settings milkyWayImage =
+  stars `seq` milkyWayImage `seq` ByDifferential between radiance
   where
+    between first final
+      | not (starlessBetween stars (turn first) (turn final)) = Shaded radiance
+      | linearBetween milkyWayImage (turn first) (turn final) = Linear
+      | otherwise = Shaded (\g differential -> band g (turn differential))
+    radiance g differential =
+      scaleRadiance gain (starFieldRadiance stars g turnedDifferential)
+        <+> band g turnedDifferential
+      where
+        turnedDifferential = turn differential
+    band g differential =
+      scaleRadiance
+        (diffuse * (g * g * (g * g)))
+        (tint g (environmentMapRadiance milkyWayImage differential))
     stars = realStarField
     gain = realSkyBrightness settings * magnitudeZeroFlux
     diffuse = gain * realSkyMilkyWay settings
-    tint = shiftedMixture 5200
+    !tint = shiftedMixture 5200
     turn (RayDifferential d a b) = RayDifferential (toFrame d) (toFrame a) (toFrame b)
-    toFrame = toRealSky (inRadians (toRadians (realSkyRotation settings)))
+    !toFrame = toRealSky (inRadians (toRadians (realSkyRotation settings)))
 
 -- | The real stars, arranged at the first use, in units of the flux of magnitude 0.
 realStarField :: StarField
@@ -88,17 +111,27 @@ pointStarRadiance :: Word64 -> PointStars -> Double -> RayDifferential -> Radian
 pointStarRadiance seed stars
   | pointStarsMilkyWay stars > 0 =
     band `seq` field `seq` \g differential ->
-      starFieldRadiance field g differential <+> scaleRadiance (pointStarsMilkyWay stars * (g * g * (g * g))) (environmentMapRadiance band differential)
+      starFieldRadiance field g differential
+        <+> scaleRadiance
+          (pointStarsMilkyWay stars * (g * g * (g * g)))
+          (environmentMapRadiance band differential)
   | otherwise = field `seq` starFieldRadiance field
   where
-    field = starField (1e-6 * pointStarsBrightness stars) (starCatalogue (purposeSeed seed StarPlaces) (pointStarsCount stars))
+    field = starField (1e-6 * pointStarsBrightness stars) catalogue
+    catalogue = starCatalogue (purposeSeed seed StarPlaces) (pointStarsCount stars)
     band = milkyWay (purposeSeed seed GalacticClouds)
+
+-- | A sky that no beams simplify.
+throughout :: (Double -> RayDifferential -> Radiance) -> SkyShader
+throughout shader = ByDifferential (\_ _ -> Shaded shader) shader
 
 -- | An image of the sky with the turn ('turned') and the brightness of an environment
 -- map.
 panoramaShader :: Panorama -> EnvironmentMap -> SkyShader
-panoramaShader panorama image = ByDifferential $ \g differential ->
-  scaleRadiance (panoramaBrightness panorama * (g * g * (g * g))) (environmentMapRadiance image (turn differential))
+panoramaShader panorama image = throughout $ \g differential ->
+  scaleRadiance
+    (panoramaBrightness panorama * (g * g * (g * g)))
+    (environmentMapRadiance image (turn differential))
   where
     turn = turned (inRadians (toRadians (panoramaRotation panorama)))
 

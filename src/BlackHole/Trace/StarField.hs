@@ -17,6 +17,7 @@ module BlackHole.Trace.StarField
   ( StarField,
     starField,
     starFieldRadiance,
+    starlessBetween,
     shiftedMixture,
     pixelKernel,
   )
@@ -177,6 +178,49 @@ starFieldRadiance (StarField tiers) g differential@(RayDifferential (XYZ dx dy d
       | area > 1e-9 * breadth = scaleRadiance weight (tierPoints look t)
       | otherwise = black
     blurred t = shiftedStars g (environmentMapRadiance (tierBlurred t) differential)
+
+-- | Whether no star shines through any of the beams along a line in the picture, from the
+-- first and the last, whose directions must differ little. 'False' where beams are too wide
+-- to tell.
+starlessBetween :: StarField -> RayDifferential -> RayDifferential -> Bool
+starlessBetween (StarField tiers) first final
+  | wide first || wide final = False
+  | otherwise = case (window first, window final) of
+    (Just (Window face u0 u1 v0 v1), Just (Window face' u0' u1' v0' v1'))
+      | face == face',
+        let around = Window face (min u0 u0') (max u1 u1') (min v0 v0') (max v1 v1') ->
+        all (noStar around) tiers
+    _ -> False
+  where
+    extent differential = kernelRadius * differentialExtent differential
+    wide differential = not (all (\t -> 2 * extent differential < tierLimit t) tiers)
+    window differential = case lookThrough 1 (extent differential) differential of
+      Look _ _ _ _ found [] -> Just found
+      _ -> Nothing
+
+-- | Whether no star of a tier stands in a window.
+noStar :: Window -> Tier -> Bool
+noStar (Window face u0 u1 v0 v1) (Tier side _ cells stars _) = rows (face * side + index side v0)
+  where
+    final = face * side + index side v1
+    left = index side u0
+    right = index side u1
+    rows row
+      | row > final = True
+      | otherwise =
+        none (start (row * side + left)) (start (row * side + right + 1)) && rows (row + 1)
+    start i = fromIntegral (U.unsafeIndex cells i) :: Int
+    none i end
+      | i >= end = True
+      | inside = False
+      | otherwise = none (i + 1) end
+      where
+        at k = float2Double (U.unsafeIndex stars (starNumbers * i + k))
+        (u, v) = case face `quot` 2 of
+          0 -> (at 1 / abs (at 0), at 2 / abs (at 0))
+          1 -> (at 2 / abs (at 1), at 0 / abs (at 1))
+          _ -> (at 0 / abs (at 2), at 1 / abs (at 2))
+        inside = u >= u0 && u <= u1 && v >= v0 && v <= v1
 
 -- | The ratio of the beam ellipse's axes, shorter to longer, below which its area is no
 -- longer trusted. For fine pixels the limit is lower: at δ pixels from an Einstein ring

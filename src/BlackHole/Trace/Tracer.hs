@@ -73,27 +73,30 @@ tracer = tracerWithSky Nothing
 -- ('neededPicture').
 tracerWithSky :: Maybe EnvironmentMap -> Scene -> Maybe Tracer
 tracerWithSky picture scene = do
-  frame <- cameraFrame (sceneCamera scene)
+  frame <- cameraFrame camera
   sky <- shader
   pure
     Tracer
-      { tracerPlane = picturePlane (sceneProjection scene) (sceneCamera scene) (scenePicture scene) frame,
+      { tracerPlane = picturePlane (sceneProjection scene) camera (scenePicture scene) frame,
         tracerScene = scene,
         tracerGain = 2 ** stops,
-        tracerEye = eye (sceneSpacetime scene) (sceneObserver scene) place,
+        tracerEye = eye space (sceneObserver scene) place,
         tracerLens =
           if sceneAperture scene > 0
-            then Just (Lens frame (0.5 * sceneAperture scene) (1 / (sceneFocus scene * pixelWidth scene)))
+            then Just (Lens frame (0.5 * sceneAperture scene) (1 / (sceneFocus scene * pixel)))
             else Nothing,
-        tracerSkyShift = skyShiftAt (sceneShifts scene) (frequencyAtRest (sceneSpacetime scene) place),
+        tracerSkyShift = skyShiftAt (sceneShifts scene) (frequencyAtRest space place),
         tracerRegion = sceneRegion scene,
-        tracerPaths = tracing (sceneSpacetime scene) method place,
+        tracerPaths = tracing space method place,
         tracerMatter = matter,
         tracerSky = sky
       }
   where
     Exposure stops = sceneExposure scene
-    place = posePosition (cameraPose (sceneCamera scene))
+    space = sceneSpacetime scene
+    camera = sceneCamera scene
+    place = posePosition (cameraPose camera)
+    pixel = pixelWidth scene
     seed = sceneSeed scene
     method = case sceneIntegrator scene of
       Tabulated -> ByTable
@@ -106,7 +109,7 @@ tracerWithSky picture scene = do
       Nothing -> Vacuum
       Just disk
         | sceneDebugTextures scene -> Checks disk
-        | otherwise -> Gaseous (gas (sceneSpacetime scene) seed (sceneShifts scene) disk place (pixelWidth scene) (sceneSamples scene))
+        | otherwise -> Gaseous (gas space seed (sceneShifts scene) disk place pixel)
 
 -- | @tracerAfter earlier picture scene@ is 'tracerWithSky', but takes over those parts of
 -- an earlier tracer that are equal for this scene: the tables of the gas, of the light
@@ -123,22 +126,31 @@ tracerAfter earlier picture scene = reusing <$> tracerWithSky picture scene
     reusing traced =
       traced
         { tracerMatter = case tracerMatter earlier of
-            Gaseous glowing
-              | same sceneDisk && same sceneSpacetime && same sceneSeed && same sceneShifts && same sceneDebugTextures ->
-                Gaseous (gasSeenFrom (posePosition (cameraPose (sceneCamera scene))) (pixelWidth scene) (sceneSamples scene) glowing)
+            Gaseous glowing | sameGas -> Gaseous (gasSeenFrom place (pixelWidth scene) glowing)
             _ -> tracerMatter traced,
-          tracerPaths =
-            if same sceneSpacetime && same sceneIntegrator && same sceneLeapfrog && tracingServes (tracerPaths earlier) (posePosition (cameraPose (sceneCamera scene)))
-              then tracerPaths earlier
-              else tracerPaths traced,
-          tracerSky = if same sceneSky && same sceneSeed && same sceneDebugTextures then tracerSky earlier else tracerSky traced
+          tracerPaths = if samePaths then tracerPaths earlier else tracerPaths traced,
+          tracerSky = if sameSky then tracerSky earlier else tracerSky traced
         }
+    place = posePosition (cameraPose (sceneCamera scene))
+    sameGas =
+      same sceneDisk
+        && same sceneSpacetime
+        && same sceneSeed
+        && same sceneShifts
+        && same sceneDebugTextures
+    samePaths =
+      same sceneSpacetime
+        && same sceneIntegrator
+        && same sceneLeapfrog
+        && tracingServes (tracerPaths earlier) place
+    sameSky = same sceneSky && same sceneSeed && same sceneDebugTextures
 
 -- | The parts of a tracer that take time to compute, for evaluation in advance and in
 -- parallel. Otherwise the first ray that needs a part waits for it.
 tracerTables :: Tracer -> [()]
 tracerTables traced =
-  seq (tracerMatter traced) () : seq (tracerSky traced) () : [seq (tracingTable paths) () | tracingNeedsTable paths]
+  [seq (tracerMatter traced) (), seq (tracerSky traced) ()]
+    ++ [seq (tracingTable paths) () | tracingNeedsTable paths]
   where
     paths = tracerPaths traced
 
@@ -154,11 +166,13 @@ tracedDirection traced = sightDirection (tracerPlane traced)
 -- | The light path that arrives at a point of the picture; 'Nothing' if none does, so
 -- that the point is dark ('sightLine', 'sightDirection').
 tracedSight :: Tracer -> XY -> Maybe SightLine
-tracedSight traced point = sightDirection (tracerPlane traced) point >>= sightFrom (tracerEye traced)
+tracedSight traced point =
+  sightDirection (tracerPlane traced) point >>= sightFrom (tracerEye traced)
 
 -- | 'tracedSight' at an offset from a point, exact however small the offset is.
 sightBesidePoint :: Tracer -> XY -> XY -> Maybe SightLine
-sightBesidePoint traced point offset = sightBeside (tracerPlane traced) point offset >>= sightFrom (tracerEye traced)
+sightBesidePoint traced point offset =
+  sightBeside (tracerPlane traced) point offset >>= sightFrom (tracerEye traced)
 
 -- | The camera as a pinhole in a random point of its lens, one for each point of the
 -- picture: the thin lens of Cook, Porter and Carpenter 1984, in the observer's frame. What
@@ -171,7 +185,8 @@ throughLens :: Tracer -> XY -> Tracer
 throughLens traced point@(XY px py) = case tracerLens traced of
   Nothing -> traced
   Just (Lens frame size pixels) -> fromMaybe traced {tracerLens = Nothing} $ do
-    let bits = sipHash2 (SipKey (sceneSeed scene) 0x6c656e73) (castDoubleToWord64 px) (castDoubleToWord64 py)
+    let key = SipKey (sceneSeed scene) 0x6c656e73
+        bits = sipHash2 key (castDoubleToWord64 px) (castDoubleToWord64 py)
         fraction w = (fromIntegral (w .&. 0xffffffff) + 0.5) / 4294967296
         radius = size * sqrt (fraction bits)
         angle = 2 * pi * fraction (bits `shiftR` 32)
@@ -183,8 +198,10 @@ throughLens traced point@(XY px py) = case tracerLens traced of
     outwards <- XYZ.normalize place
     direction <- sightDirection plane point
     let slope = XYZ.dot direction outwards
-        straight = offset ^-^ (XYZ.dot offset outwards * slope / (slope * slope + 0.01)) *^ direction
+        along = XYZ.dot offset outwards * slope / (slope * slope + 0.01)
+        straight = offset ^-^ along *^ direction
     onSphere <- XYZ.normalize (place ^+^ straight)
-    pure traced {tracerLens = Nothing, tracerPlane = plane, tracerEye = eye (sceneSpacetime scene) (sceneObserver scene) (XYZ.norm place *^ onSphere)}
+    let seer = eye (sceneSpacetime scene) (sceneObserver scene) (XYZ.norm place *^ onSphere)
+    pure traced {tracerLens = Nothing, tracerPlane = plane, tracerEye = seer}
   where
     scene = tracerScene traced

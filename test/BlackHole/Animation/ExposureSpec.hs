@@ -3,6 +3,7 @@ module BlackHole.Animation.ExposureSpec (spec) where
 import BlackHole.Animation.Exposure
 import BlackHole.Numeric.Angle
 import BlackHole.Render.Exposed
+import BlackHole.Render.Film (exposeFilm)
 import BlackHole.Render.PixelArray (toPixelVector)
 import BlackHole.Render.Workers
 import BlackHole.Scene.Camera
@@ -45,8 +46,11 @@ spec = do
         (const (pure ()))
         (turned 0 :| [turned 5, turned 10])
         (0, 9)
-    fmap (fmap (Vector.toList . toPixelVector) . exposedCounts) exposed
-      `shouldBe` Just (Just (replicate (16 * 9) 3))
+    let expose scene = exposeFilm Nothing oneWorker (const (pure ())) scene (0, 9)
+    alone <- mapM (expose . turned) [0, 5, 10]
+    let counts = fmap toPixelVector . (exposedCounts =<<)
+    counts exposed `shouldBe` fmap (foldr1 (Vector.zipWith (+))) (mapM counts alone)
+    fmap Vector.maximum (counts exposed) `shouldBe` Just 192
   it "tells of growing parts up to the whole" $ do
     parts <- newIORef []
     _ <-

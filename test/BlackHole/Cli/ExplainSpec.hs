@@ -48,16 +48,18 @@ spec = do
         "transmittance",
         "from the gas",
         "from the sky",
+        "first rays of this pixel and its neighbours",
+        "filtered light",
         "samples",
-        "mean radiance of the samples",
         "exposed by 0 stops",
         "tone map film",
         "sRGB codes"
       ]
       $ \part -> text `shouldSatisfy` isInfixOf part
-  it "does not speak of samples where there is one" $
-    explained defaultScene {sceneSamples = 1} 4 5
-      `shouldSatisfy` not . isInfixOf "mean radiance of the samples"
+  it "lists several samples, and does not speak of samples where there is one" $
+    for_ [(1, False), (4, True)] $ \(count, several) ->
+      isInfixOf "\nsamples " (explained defaultScene {sceneSamples = count, sceneNoise = 0} 4 5)
+        `shouldBe` several
   where
     explained scene x y =
       let small = scene {scenePicture = Picture 16 9}

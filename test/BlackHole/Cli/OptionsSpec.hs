@@ -88,9 +88,6 @@ spec = do
       "--sky-rotation: 20 has no effect with --sky grid; it applies only with --sky stars or FILE"
     idle ["--debug-textures", "--sky", "grid"] "--sky: grid has no effect with --debug-textures"
     idle
-      ["--samples", "1", "--noise", "0.1"]
-      "--noise: 0.1 has no effect with --samples 1; it applies only with --samples above 1"
-    idle
       ["--noise", "0", "--most-samples", "8"]
       "--most-samples: 8 has no effect with --noise 0; it applies only with --noise above 0"
     it "but not where its condition holds" $
@@ -100,7 +97,7 @@ spec = do
           ["--preset", "report", "--step", "0.1"],
           ["--disk-inner", "4"],
           ["--sky", "sky.png", "--sky-rotation", "20"],
-          ["--samples", "2", "--noise", "0.1", "--most-samples", "8"]
+          ["--noise", "0.1", "--most-samples", "8"]
         ]
   it "accepts former names and warns" $ do
     scene ["--camera", "0,1,9"] `shouldBe` scene ["--position", "0,1,9"]

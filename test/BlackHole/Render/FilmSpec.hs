@@ -11,8 +11,7 @@ import BlackHole.Scene.Camera (Camera (..), Picture (..))
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene
 import BlackHole.Scene.Sky (Sky (..))
-import BlackHole.Trace.Adaptive (pixelEstimate)
-import BlackHole.Trace.Estimate (estimateCount)
+import BlackHole.Trace.Adaptive (Pixel (..), singlePixel)
 import BlackHole.Trace.Tracer (tracer)
 import qualified Data.Vector.Storable as Vector
 import Data.Word (Word8)
@@ -47,7 +46,7 @@ spec = do
         (Just whole, Just traced) -> do
           let counts = Vector.concat (map (countsRow searching whole) [0 .. 26])
           Vector.toList counts
-            `shouldBe` [ fromIntegral (estimateCount (pixelEstimate traced column row))
+            `shouldBe` [ fromIntegral (pixelRays (singlePixel traced column row))
                          | row <- [0 .. 26],
                            column <- [0 .. 47]
                        ]

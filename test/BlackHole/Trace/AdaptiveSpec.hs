@@ -7,7 +7,7 @@ import BlackHole.Scene.Scene
 import BlackHole.Scene.Sky
 import BlackHole.Spacetime.Types (Spacetime (..))
 import BlackHole.Trace.Adaptive
-import BlackHole.Trace.Estimate
+import BlackHole.Trace.Layers
 import BlackHole.Trace.PhotonRing
 import BlackHole.Trace.Tracer
 import BlackHole.Vector.XY (XY (..))
@@ -17,60 +17,46 @@ import Test.Hspec
 
 spec :: Spec
 spec = do
-  describe "an uncertain pixel gets twice as many samples, at least four more, repeatedly," $ do
+  describe "an uncertain pixel gets at least four rays of its own, and twice as many again," $ do
     it "until it is certain" $
-      forM_ [(n, noise) | n <- [2, 3, 4, 8], noise <- [0.3, 0.2, 0.1, 0.05, 0.02]] $ \(n, noise) ->
-        ( n,
-          noise,
-          refinedCount
-            even' {sceneSamples = n, sceneNoise = noise, sceneMostSamples = 1000}
-            (const (const True))
-            3
-            3
-        )
-          `shouldBe` (n, noise, expected n noise (max (n + 4) (2 * n)))
+      forM_ [0.3, 0.2, 0.1, 0.05, 0.02, 0.01] $ \noise ->
+        (noise, raysAt even' {sceneNoise = noise, sceneMostSamples = 1000} (onlyAt 1 3) 1 3)
+          `shouldBe` (noise, 1 + (if firstError > noise then expected noise 4 else 0))
     it "or has the most" $
       forM_ [4, 5, 30, 64] $ \most ->
-        refinedCount
-          even' {sceneSamples = 4, sceneNoise = 1e-9, sceneMostSamples = most}
-          (const (const True))
-          3
-          3
-          `shouldBe` most
-  it "a pixel is refined if it or one of its eight neighbours is uncertain" $
+        raysAt even' {sceneNoise = 1e-9, sceneMostSamples = most} (onlyAt 1 3) 1 3 `shouldBe` most
+  it "a pixel is uncertain if it differs from its eight neighbours or one of them does" $
     forM_ [(c, r) | c <- [0 .. 7], r <- [0 .. 4]] $ \(c, r) ->
-      ( c,
-        r,
-        refinedCount
-          even' {sceneSamples = 4, sceneNoise = 1, sceneMostSamples = 64}
-          (\column row -> (column, row) == (c, r))
-          3
-          2
-          > 4
-      )
+      (c, r, raysAt even' {sceneNoise = 0.02} (onlyAt c r) 3 2 > 1)
         `shouldBe` (c, r, abs (c - 3) <= 1 && abs (r - 2) <= 1)
+  it "a pixel is certain where what is seen changes evenly" $
+    forM_ [(3, 2), (0, 0), (7, 4)] $ \(c, r) ->
+      let ramp column = shining ((0.3 + 0.01 * fromIntegral column) ^ (2 :: Int))
+       in raysAt even' {sceneNoise = 0.02} (\column _ -> ramp column) c r `shouldBe` 1
   it "asks for no pixel outside the picture" $
-    forM_ [(0, 0), (7, 0), (0, 4), (7, 4)] $ \(c, r) ->
-      refinedCount
-        even' {sceneSamples = 4, sceneNoise = 1, sceneMostSamples = 64}
-        ( \column row ->
-            column < 0 || row < 0 || column > 7 || row > 4
-        )
-        c
-        r
-        `shouldBe` 4
+    forM_ [(0, 0), (7, 0), (0, 4), (7, 4)] $ \(c, r) -> do
+      let outside column row = column < 0 || row < 0 || column > 7 || row > 4
+          light column row = shining (if outside column row then 0 / 0 else 0.25)
+      raysAt even' light c r `shouldBe` 1
   it "a pixel on the edge of the shadow gets the most samples, certain or not" $ do
     Just traced <- pure (tracer ringed)
     let pixels = [(c, r) | c <- [0 .. 31], r <- [0 .. 17]]
         onEdge (c, r) =
           isJust (photonRing traced (XY (fromIntegral c + 0.5) (fromIntegral r + 0.5)))
-        count (c, r) =
-          estimateCount
-            (refinedEstimate traced (const (const False)) (firstEstimate traced c r) c r)
+        count (c, r) = pixelRays (singlePixel traced c r)
         (edge, others) = (filter onEdge pixels, filter (not . onEdge) pixels)
     length edge `shouldSatisfy` (> 10)
     map count (take 5 edge) `shouldBe` replicate 5 16
     map count (take 50 others) `shouldBe` replicate 50 2
+  it "the span that finds the photon ring misses no pixel on it" $
+    forM_ [ringed, ringed {scenePicture = Picture 320 180}] $ \scene -> do
+      Just traced <- pure (tracer scene {sceneNoise = 1})
+      let Picture width height = scenePicture scene
+          onEdge (c, r) =
+            isJust (photonRing traced (XY (fromIntegral c + 0.5) (fromIntegral r + 0.5)))
+          pixels = [(c, r) | c <- [0 .. width - 1], r <- [0, 5 .. height - 1]]
+      forM_ (filter onEdge pixels) $ \(c, r) ->
+        (c, r, pixelRays (singlePixel traced c r)) `shouldBe` (c, r, 16)
   where
     -- Every ray sees 0.25, in straight lines, so that nothing is uncertain by itself.
     even' =
@@ -84,25 +70,39 @@ spec = do
       defaultScene
         { scenePicture = Picture 32 18,
           sceneSamples = 2,
-          sceneNoise = 0.5,
+          sceneNoise = 1,
           sceneMostSamples = 16
         }
-    -- One sample is as bright as white, the others are dark: 'first' is uncertain.
-    refinedCount scene uncertain column row = case tracer scene of
+    raysAt scene layersAt column row = case tracer scene of
       Nothing -> -1
       Just traced ->
-        estimateCount (refinedEstimate traced uncertain (first (sceneSamples scene)) column row)
-    first n = addSample 1 1 (grey 1) (iterate (addSample 1 1 black) noSamples !! (n - 1))
-    -- The number of samples by the rule: what is seen of them is 1 once, 0 for the
-    -- rest of the first n, and 1/2 for all further ones.
-    expected n noise count
+        pixelRays $
+          refinedPixel
+            traced
+            (kernel (sceneFilter scene))
+            (pixelSpan traced Nothing Nothing 0 row)
+            layersAt
+            column
+            row
+    shining v = Layers (grey v) 0 1
+    -- One pixel as bright as white among darker ones.
+    onlyAt c r column row = shining (if (column, row) == (c, r) then 1 else 0.25)
+    -- The light and the standard error of that pixel by its neighbours: of nine things
+    -- seen, 1 once and 1/2 eight times.
+    firstLight = let w = middleWeight in w + 0.25 * (1 - w)
+    firstError = sqrt ((1 + 8 * 0.25 - (1 + 8 * 0.5) ^ (2 :: Int) / 9) / 6 * squaredWeights)
+    middleWeight = 1 / (1 + 4 * exp (-2) + 4 * exp (-4)) :: Double
+    squaredWeights =
+      middleWeight * middleWeight * (1 + 4 * exp (-4) + 4 * exp (-8)) :: Double
+    -- The number of samples by the rule: the nine count as four, and every other sees 1/2.
+    expected :: Double -> Int -> Int
+    expected noise count
       | count >= 1000 = 1000
-      | errorOf n count <= noise = count
-      | otherwise = expected n noise (max (count + 4) (2 * count))
-    errorOf :: Int -> Int -> Double
-    errorOf n count =
-      let m = fromIntegral count
-          more = fromIntegral (count - n)
-          total = 1 + 0.5 * more
-          squares = 1 + 0.25 * more
+      | errorOf count <= noise = count
+      | otherwise = expected noise (2 * count)
+    errorOf count =
+      let m = fromIntegral (sharedWorth + count)
+          seen = sqrt firstLight
+          total = fromIntegral sharedWorth * seen + 0.5 * fromIntegral count
+          squares = fromIntegral sharedWorth * firstLight + 0.25 * fromIntegral count
        in sqrt ((squares - total * total / m) / (m * (m - 1)))

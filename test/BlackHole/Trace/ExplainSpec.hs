@@ -12,11 +12,13 @@ import BlackHole.Scene.Sky
 import BlackHole.Spacetime.Fate
 import BlackHole.Spacetime.Observer
 import BlackHole.Spacetime.Photon (angularMomentum)
+import BlackHole.Trace.Adaptive (sharedWorth)
 import BlackHole.Trace.Explain
 import BlackHole.Trace.Tracer
 import BlackHole.Vector.XY (XY (..))
 import qualified BlackHole.Vector.XYZ as XYZ
 import Control.Monad (forM_)
+import Data.Maybe (isJust)
 import qualified Data.Vector.Storable as Vector
 import Support.Approx
 import Support.Exposing
@@ -37,21 +39,25 @@ spec = do
                 ((\(r, g, b) -> [r, g, b]) . shownCodes . explainedShown)
                 (explainPixel traced x y)
                 `shouldBe` (Vector.toList <$> pixelChannels picture x y)
-  it "the pixel is the mean of its samples" $
-    -- The first estimates of adaptive sampling are kept in single precision.
-    forM_ [(small {sceneNoise = 0}, 1e-12), (small, 1e-6)] $ \(scene, tolerance) ->
+  it "the pixel is the mean of its samples and of what it shares with its neighbours" $
+    -- Layers are kept in single precision.
+    forM_ [(small {sceneNoise = 0, sceneSamples = 4}, 1e-12), (small, 1e-6)] $ \(scene, allowed) ->
       forM_ (everyPixel scene) $ \explanation -> do
         let samples = explainedSamples explanation
+            neighbours = explainedShared explanation
+            light =
+              [(sightingWeight s, sightingRadiance s) | s <- samples]
+                ++ [(fromIntegral sharedWorth, shared) | Just shared <- [neighbours]]
             mean =
               scaleRadiance
-                (1 / sum (map sightingWeight samples))
-                (mconcat [scaleRadiance (sightingWeight s) (sightingRadiance s) | s <- samples])
+                (1 / sum (map fst light))
+                (mconcat [scaleRadiance weight radiance | (weight, radiance) <- light])
         if sceneNoise scene == 0
           then length samples `shouldBe` sceneSamples scene
-          else length samples `shouldSatisfy` (>= sceneSamples scene)
-        distant mean (explainedRadiance explanation) `shouldSatisfy` (< tolerance)
+          else isJust neighbours || length samples == mostSamples scene `shouldBe` True
+        distant mean (explainedRadiance explanation) `shouldSatisfy` (< allowed)
   it "a single sample is the middle" $
-    forM_ (everyPixel small {sceneSamples = 1}) $ \explanation ->
+    forM_ (everyPixel small {sceneNoise = 0}) $ \explanation ->
       explainedSamples explanation `shouldBe` [explainedMiddle explanation]
   it "gas and sky add up to what is seen" $
     forM_
@@ -110,8 +116,9 @@ spec = do
           sceneSamples = 1
         }
     scenes =
-      [ ("four samples", small),
-        ("one sample, no tone map", small {sceneSamples = 1, sceneToneMap = minBound}),
+      [ ("shared rays", small),
+        ("four samples", small {sceneSamples = 4, sceneNoise = 0}),
+        ("one sample, no tone map", small {sceneNoise = 0, sceneToneMap = minBound}),
         ("the report's scene", reportScene {scenePicture = Picture 8 5}),
         ("from within the photon sphere", small {sceneCamera = near 1.3, sceneSky = SkyGrid}),
         ( "falling, inside the horizon",

@@ -127,7 +127,7 @@ density disk = \place -> along field place 1e-3
     field = fieldOf disk
 
 along :: GasField -> XYZ -> Double -> Double
-along field place len = case gasAt field place (XYZ.norm place) len 1 of
+along field place len = case gasAt field place (XYZ.norm place) len of
   Here dense _ -> if dense > 0 then log dense else 2 * faintest
 
 -- | Fields that many examples share.
@@ -139,7 +139,7 @@ calm = density smooth
 armed = density plainArms
 
 fieldOf :: Disk -> GasField
-fieldOf disk = gasField Schwarzschild 7 disk (XYZ 0 2 30) 1e-6 1
+fieldOf = gasField Schwarzschild 7
 
 -- | The place at a distance from the hole and an angle in turns from +z to +x, at
 -- a height.

@@ -22,7 +22,7 @@ spec = do
     spread 0.1 `shouldSatisfy` (> 1.8 * spread 0.05)
   it "dense gas is hotter than thin gas of the same ring" $ do
     let here =
-          [ gasAt (gasField Schwarzschild 1 hot (XYZ 0 0 1e3) 1e-9 1) (place r turn) r 0 1
+          [ gasAt (gasField Schwarzschild 1 hot) (place r turn) r 0
             | r <- [6],
               turn <- turns 400
           ]
@@ -33,11 +33,10 @@ spec = do
     heats hot {diskTurbulenceHeat = 0} 0 `shouldSatisfy` all (== 0)
   it "the haze is as warm as the mean of its ring" $
     gasAt
-      (gasField Schwarzschild 1 hot {diskHaze = 0.01, diskHazeHeight = 4} (XYZ 0 0 1e3) 1e-9 1)
+      (gasField Schwarzschild 1 hot {diskHaze = 0.01, diskHazeHeight = 4})
       (XYZ 6 0.3 0)
       6
       0
-      1
       `shouldSatisfy` \(Here density heat) -> density > 1e-4 && abs heat < 1e-6
   where
     hot =
@@ -57,12 +56,12 @@ heats :: Disk -> Double -> [Double]
 heats disk len =
   [ heat
     | seed <- [1 .. 12],
-      let field = gasField Schwarzschild seed disk (XYZ 0 0 1e3) 1e-9 1,
+      let field = gasField Schwarzschild seed disk,
       (i, turn) <- zip [0 ..] (turns 1500),
       -- The radii of the noise's whole period.
       let r = 3.5 * exp (2 * fractionOf (0.5698402909980532 * fromIntegral (i :: Int))),
       r < 0.6 * diskOuterRadius disk,
-      Here density heat <- [gasAt field (place r turn) r (len * r) 1],
+      Here density heat <- [gasAt field (place r turn) r (len * r)],
       density > 0
   ]
 

@@ -61,7 +61,6 @@ spec = do
                   smooth {diskOpacity = 1e4}
                   (XYZ 0 0 20)
                   1e-3
-                  1
               )
               1
       case thick nothingYet (planarSegment (Photon (XYZ 2.5 0 0) (XYZ 0 (-1) 0)) 0.1) of

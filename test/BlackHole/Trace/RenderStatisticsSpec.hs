@@ -3,8 +3,7 @@ module BlackHole.Trace.RenderStatisticsSpec (spec) where
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Preset
 import BlackHole.Scene.Scene
-import BlackHole.Trace.Adaptive (pixelEstimate)
-import BlackHole.Trace.Estimate (estimateCount)
+import BlackHole.Trace.Adaptive (Pixel (..), singlePixel)
 import BlackHole.Trace.Explain
 import BlackHole.Trace.RenderStatistics
 import BlackHole.Trace.Tracer (tracer)
@@ -18,7 +17,7 @@ spec = do
     Just traced <- pure (tracer small)
     statisticsLines counted `shouldBe` 24 * 12
     let rays =
-          [ fromIntegral (estimateCount (pixelEstimate traced column row))
+          [ fromIntegral (pixelRays (singlePixel traced column row))
             | row <- [0 .. 11],
               column <- [0 .. 23]
           ]

@@ -48,8 +48,6 @@ settingConditions =
     ("camera.aperture", "camera.projection" `is` NameValue "perspective"),
     ("camera.focus", above 0 "camera.aperture"),
     ("output.spike-light", above 0 "output.spikes"),
-    ("sampling.noise", above 1 "sampling.samples"),
-    ("sampling.most-samples", above 1 "sampling.samples"),
     ("sampling.most-samples", above 0 "sampling.noise")
   ]
   where

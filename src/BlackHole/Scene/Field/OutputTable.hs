@@ -18,16 +18,17 @@ outputFields :: [Field]
 outputFields =
   [ whole Sampling "sampling.samples" (1, 65536) ""
       `sets` part sceneSamples (\v s -> s {sceneSamples = v})
-      `documented` "Rays traced through every pixel"
+      `documented` "Rays of each pixel; with sampling.noise above 0 only the first ones, which \
+                   \smooth places share"
       `withOption` ("samples", "N"),
     number Sampling "sampling.noise" (Quantity "a fraction of white" (From 0) (UpTo 1) "")
       `sets` part sceneNoise (\v s -> s {sceneNoise = v})
-      `documented` "Standard error, as a fraction of display white, above which a pixel gets more \
-                   \rays; 0 for never"
+      `documented` "Standard error, as a fraction of display white, above which a pixel gets rays \
+                   \of its own; below it, neighbours share their rays. 0 for neither"
       `withOption` ("noise", "T"),
     whole Sampling "sampling.most-samples" (1, 65536) ""
       `sets` part sceneMostSamples (\v s -> s {sceneMostSamples = v})
-      `documented` "Greatest number of rays for such a pixel"
+      `documented` "Greatest number of rays that such a pixel gets"
       `withOption` ("most-samples", "N"),
     choice Sampling "sampling.filter" "a filter" filters
       `sets` part sceneFilter (\v s -> s {sceneFilter = v})

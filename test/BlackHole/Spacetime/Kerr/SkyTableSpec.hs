@@ -36,7 +36,8 @@ spec = do
         let hole = spinOf s
             table = skyTable hole (Place r theta)
             motions = elements [ZeroAngularMomentum, InFreeFall, AtRest]
-         in forAll (vectorOf 20 ((,,) <$> motions <*> direction r <*> choose (-pi, pi))) $ \sights ->
+            sight = (,,) <$> motions <*> direction r <*> choose (-pi, pi)
+         in forAll (vectorOf 20 sight) $ \sights ->
               conjoin
                 [ case (tabulatedFate table azimuth ray, kerrFate (kerrPath hole azimuth ray)) of
                     (Nothing, _) -> property True
