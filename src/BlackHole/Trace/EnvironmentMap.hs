@@ -20,7 +20,6 @@ module BlackHole.Trace.EnvironmentMap
     environmentMapMean,
     environmentMapRadiance,
     linearBetween,
-    turned,
   )
 where
 
@@ -348,15 +347,3 @@ maximumTaps = 16
 -- | The most slender ellipse that the permitted number of points covers without gaps.
 longestRatio :: Double
 longestRatio = 8
-
--- | The beam under which a picture turned about the axis +y by an angle in
--- radians shows what it shows at this one unturned. A positive angle moves the
--- picture's middle from −z towards +x.
-turned :: Double -> RayDifferential -> RayDifferential
-turned angle
-  | angle == 0 = id
-  | otherwise = \(RayDifferential d a b) -> RayDifferential (back d) (back a) (back b)
-  where
-    !c = cos angle
-    !s = sin angle
-    back (XYZ x y z) = XYZ (c * x + s * z) y (c * z - s * x)

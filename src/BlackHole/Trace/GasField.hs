@@ -43,8 +43,8 @@ import BlackHole.Spacetime.LightPath (halfHeightAt, regionInnerRadius)
 import BlackHole.Spacetime.Types (Spacetime)
 import BlackHole.Trace.Seeds
 import BlackHole.Trace.Tabulated
+import BlackHole.Trace.TurbulenceDetail
 import BlackHole.Vector.XYZ (XYZ (..), (*^), (^+^))
-import qualified Data.Vector.Unboxed as U
 import Data.Word (Word64)
 import Numeric (log1p)
 
@@ -131,7 +131,9 @@ gasField space seed disk =
       fieldFirst = first,
       fieldSecond = second,
       fieldRadial = tabulate 3 2048 innermost outer $ \r -> [logEdges r, log r, rate r / (2 * pi)],
-      fieldDetail = tabulate 3 1024 0 1 (detail disk moments)
+      fieldDetail =
+        tabulate 3 1024 0 1 $
+          turbulenceDetail disk noise woven (strand first) (strand second)
     }
   where
     inner = diskInnerRadius disk
@@ -155,7 +157,7 @@ gasField space seed disk =
         (diskTurbulenceFilaments disk)
         (diskTurbulenceWarp disk)
         (diskTurbulenceGrowth disk)
-    moments = turbulenceMoments disk noise woven first second
+    strand (Pattern weight _ shift) turns = Strand weight turns shift
     -- ln ⟨T⁴⟩ / 4 over the phase of the arms.
     armHeat
       | diskTurbulenceHeat disk == 0 || diskArms disk == 0 = 0
@@ -178,47 +180,6 @@ patterns lives life =
     pattern' at weight age =
       Pattern (weight / norm) (age * life) (17.3 * fromIntegral (round at :: Int))
     norm = sqrt ((1 - 2 * abs early) ^ (2 :: Int) + (2 * abs early) ^ (2 :: Int))
-
--- | The number of octaves of turbulence that a length (over r) resolves, those whose
--- cells are longer and a fraction of the next; and the corrections to ln density and ln
--- temperature for the mean effect of the finer octaves.
-detail :: Disk -> [(Double, Double)] -> Double -> [Double]
-detail disk moments len = [count, density full - density count, heat count]
-  where
-    full = fromIntegral (diskTurbulenceOctaves disk)
-    count = max 1 (min full (0.4 - logBase 2 (max 1e-9 (diskTurbulenceFrequency disk * len))))
-    density = between fst
-    heat = between snd
-    -- Four values for each octave.
-    between part at = case drop (floor (4 * at) :: Int) moments of
-      low : high : _ ->
-        let t = 4 * at - fromIntegral (floor (4 * at) :: Int)
-         in part low + t * (part high - part low)
-      [end] -> part end
-      [] -> 0
-
--- | For each number of octaves, in steps of a quarter from none to all: ln of the mean
--- density in turbulence of that many octaves, and a quarter of ln of the mean of T⁴.
--- The means are taken over the noise itself, at as many positions as its second octave
--- has cells.
-turbulenceMoments :: Disk -> Sheets -> Weave -> Pattern -> Pattern -> [(Double, Double)]
-turbulenceMoments disk noise woven first second =
-  [moments (0.25 * fromIntegral k) | k <- [0 .. 4 * length (sheetsAmplitudes noise)]]
-  where
-    places = 1024 :: Int
-    moments count = (meanOf 1 values, heat)
-      where
-        heat
-          | diskTurbulenceHeat disk == 0 = 0
-          | otherwise = 0.25 * meanOf (4 * diskTurbulenceHeat disk) values
-        values = U.generate places (\i -> diskTurbulence disk * value count (fromIntegral i))
-    meanOf power values = log (U.sum (U.map (exponential . (power *)) values) / fromIntegral places)
-    -- Evenly spread (the additive recurrence of the plastic number).
-    value count i =
-      let turns = turnFraction (0.7548776662466927 * i)
-          v = sheetsHeight * turnFraction (0.5698402909980532 * i)
-       in weave noise woven count v (strandOf first turns) (strandOf second turns)
-    strandOf (Pattern weight _ shift) turns = Strand weight turns shift
 
 -- | A position in the noise of the arms. It is shifted off the lattice, where all octaves
 -- vanish: the disk's plane must not be a lattice plane.

@@ -1,3 +1,5 @@
+{-# LANGUAGE BangPatterns #-}
+
 -- | The beam of light that one sample of a picture represents: where on the celestial
 -- sphere the line of sight ends, and how that point moves when the line of sight moves
 -- by a pixel.
@@ -13,6 +15,7 @@ module BlackHole.Trace.RayDifferential
     differentialExtent,
     differentialWidths,
     differentialByDifferences,
+    turned,
   )
 where
 
@@ -108,3 +111,15 @@ differentialByDifferences escape (XY x y) = do
     tangent d v = v ^-^ XYZ.dot d v *^ d
     -- A tangent vector of about one radian.
     across d@(XYZ dx _ dz) = XYZ.cross d (if abs dx > abs dz then XYZ 0 0 1 else XYZ 1 0 0)
+
+-- | The beam under which a picture turned about the axis +y by an angle in
+-- radians shows what it shows at this one unturned. A positive angle moves the
+-- picture's middle from −z towards +x.
+turned :: Double -> RayDifferential -> RayDifferential
+turned angle
+  | angle == 0 = id
+  | otherwise = \(RayDifferential d a b) -> RayDifferential (back d) (back a) (back b)
+  where
+    !c = cos angle
+    !s = sin angle
+    back (XYZ x y z) = XYZ (c * x + s * z) y (c * z - s * x)

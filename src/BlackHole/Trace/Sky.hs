@@ -22,7 +22,7 @@ import BlackHole.Scene.Sky
 import BlackHole.Trace.EnvironmentMap
 import BlackHole.Trace.Grid
 import BlackHole.Trace.MilkyWay
-import BlackHole.Trace.RayDifferential (RayDifferential (..))
+import BlackHole.Trace.RayDifferential (RayDifferential (..), turned)
 import BlackHole.Trace.RealSky
 import BlackHole.Trace.Seeds
 import BlackHole.Trace.StarCatalogue
