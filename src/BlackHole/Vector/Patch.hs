@@ -71,35 +71,45 @@ patch tolerance depth f rectangle@(Rectangle mx hx my hy) = case traverse (uncur
     points = [(mx + hx * node nodes i, my + hy * node nodes j) | i <- places, j <- places]
     places = [0 .. nodes - 1]
 
--- | The value at a point of the rectangle; 'Nothing' where no polynomial is accurate.
-patchValue :: Patch -> Double -> Double -> Maybe XYZ
-patchValue whole !x !y = go whole
+-- | @onSmooth f whole x y@ applies a function to the rectangle that holds a point, its
+-- coefficients, and the point's place in it, from −1 to 1 in each variable; 'Nothing' where
+-- no polynomial is accurate.
+onSmooth ::
+  (Rectangle -> PrimArray Double -> Double -> Double -> a) -> Patch -> Double -> Double -> Maybe a
+onSmooth f whole !x !y = go whole
   where
     go p = case p of
-      Smooth (Rectangle mx hx my hy) coefficients ->
+      Smooth rectangle@(Rectangle mx hx my hy) coefficients ->
         let !s = (x - mx) / hx
             !t = (y - my) / hy
-            !t2 = t * t
-            !t4 = t2 * t2
-            -- Estrin's scheme: the terms do not wait for each other.
-            row k =
-              let at l = indexPrimArray coefficients (k + l)
-               in (at 0 + t * at 1 + t2 * (at 2 + t * at 3))
-                    + t4 * (at 4 + t * at 5 + t2 * (at 6 + t * at 7))
-            {-# INLINE row #-}
-            sums :: Int -> Double -> Double -> Double -> Maybe XYZ
-            sums !k !a !b !c
-              | k < 0 = Just (XYZ a b c)
-              | otherwise =
-                sums
-                  (k - nodes)
-                  (a * s + row k)
-                  (b * s + row (k + square))
-                  (c * s + row (k + 2 * square))
-         in sums (square - nodes) 0 0 0
+            !found = f rectangle coefficients s t
+         in Just found
       HalvesX middle low high -> go (if x < middle then low else high)
       HalvesY middle low high -> go (if y < middle then low else high)
       Rough -> Nothing
+{-# INLINE onSmooth #-}
+
+-- | The value at a point of the rectangle; 'Nothing' where no polynomial is accurate.
+patchValue :: Patch -> Double -> Double -> Maybe XYZ
+patchValue = onSmooth $ \_ coefficients !s !t ->
+  let !t2 = t * t
+      !t4 = t2 * t2
+      -- Estrin's scheme: the terms do not wait for each other.
+      row k =
+        let at l = indexPrimArray coefficients (k + l)
+         in (at 0 + t * at 1 + t2 * (at 2 + t * at 3))
+              + t4 * (at 4 + t * at 5 + t2 * (at 6 + t * at 7))
+      {-# INLINE row #-}
+      sums :: Int -> Double -> Double -> Double -> XYZ
+      sums !k !a !b !c
+        | k < 0 = XYZ a b c
+        | otherwise =
+          sums
+            (k - nodes)
+            (a * s + row k)
+            (b * s + row (k + square))
+            (c * s + row (k + 2 * square))
+   in sums (square - nodes) 0 0 0
 
 -- | Number of coefficients of a polynomial.
 square :: Int
@@ -110,32 +120,24 @@ data Changing = Changing {-# UNPACK #-} !XYZ {-# UNPACK #-} !XYZ
 
 -- | The derivatives at a point of the rectangle.
 patchChange :: Patch -> Double -> Double -> Maybe Changing
-patchChange whole !x !y = go whole
-  where
-    go p = case p of
-      Smooth (Rectangle mx hx my hy) coefficients ->
-        let !s = (x - mx) / hx
-            !t = (y - my) / hy
-            -- Values and derivatives by Horner's rule, in t for each power of s.
-            inner :: Int -> Int -> Double -> Double -> Two
-            inner !k !l !value !slope
-              | l < 0 = Two value slope
-              | otherwise =
-                let !coefficient = indexPrimArray coefficients (k + l)
-                 in inner k (l - 1) (value * t + coefficient) (slope * t + value)
-            outer :: Int -> Int -> Double -> Double -> Double -> Two
-            outer !component !k !value !alongX !alongY
-              | k < 0 = Two (alongX / hx) (alongY / hy)
-              | otherwise =
-                let !(Two v v') = inner (component * square + k * nodes) (nodes - 1) 0 0
-                 in outer component (k - 1) (value * s + v) (alongX * s + value) (alongY * s + v')
-            !(Two ax ay) = outer 0 (nodes - 1) 0 0 0
-            !(Two bx by) = outer 1 (nodes - 1) 0 0 0
-            !(Two cx cy) = outer 2 (nodes - 1) 0 0 0
-         in Just (Changing (XYZ ax bx cx) (XYZ ay by cy))
-      HalvesX middle low high -> go (if x < middle then low else high)
-      HalvesY middle low high -> go (if y < middle then low else high)
-      Rough -> Nothing
+patchChange = onSmooth $ \(Rectangle _ hx _ hy) coefficients !s !t ->
+  let -- Values and derivatives by Horner's rule, in t for each power of s.
+      inner :: Int -> Int -> Double -> Double -> Two
+      inner !k !l !value !slope
+        | l < 0 = Two value slope
+        | otherwise =
+          let !coefficient = indexPrimArray coefficients (k + l)
+           in inner k (l - 1) (value * t + coefficient) (slope * t + value)
+      outer :: Int -> Int -> Double -> Double -> Double -> Two
+      outer !component !k !value !alongX !alongY
+        | k < 0 = Two (alongX / hx) (alongY / hy)
+        | otherwise =
+          let !(Two v v') = inner (component * square + k * nodes) (nodes - 1) 0 0
+           in outer component (k - 1) (value * s + v) (alongX * s + value) (alongY * s + v')
+      !(Two ax ay) = outer 0 (nodes - 1) 0 0 0
+      !(Two bx by) = outer 1 (nodes - 1) 0 0 0
+      !(Two cx cy) = outer 2 (nodes - 1) 0 0 0
+   in Changing (XYZ ax bx cx) (XYZ ay by cy)
 
 data Two = Two {-# UNPACK #-} !Double {-# UNPACK #-} !Double
 
