@@ -19,17 +19,11 @@ spec :: Spec
 spec = do
   it "is the film itself for a single scene" $ do
     alone <- exposeWhole oneWorker (turned 0)
-    exposed <- exposeMotionBlur Nothing oneWorker (const (pure ())) (turned 0 :| []) (0, 9)
+    exposed <- blurred (turned 0 :| [])
     fmap (toPixelVector . exposedLight) exposed `shouldBe` fmap toPixelVector alone
   it "is the mean of the light of several, not of what a display shows of it" $ do
     films <- mapM (exposeWhole oneWorker . turned) [0, 5, 10]
-    exposed <-
-      exposeMotionBlur
-        Nothing
-        oneWorker
-        (const (pure ()))
-        (turned 0 :| [turned 5, turned 10])
-        (0, 9)
+    exposed <- blurred (turned 0 :| [turned 5, turned 10])
     case (mapM (fmap toPixelVector) films, toPixelVector . exposedLight <$> exposed) of
       (Just [a, b, c], Just mean) -> do
         Vector.maximum
@@ -39,13 +33,7 @@ spec = do
           `shouldSatisfy` (> 20)
       _ -> expectationFailure "no film"
   it "counts the samples of all scenes" $ do
-    exposed <-
-      exposeMotionBlur
-        Nothing
-        oneWorker
-        (const (pure ()))
-        (turned 0 :| [turned 5, turned 10])
-        (0, 9)
+    exposed <- blurred (turned 0 :| [turned 5, turned 10])
     let expose scene = exposeFilm Nothing oneWorker (const (pure ())) scene (0, 9)
     alone <- mapM (expose . turned) [0, 5, 10]
     let counts = fmap toPixelVector . (exposedCounts =<<)
@@ -63,14 +51,11 @@ spec = do
     told <- readIORef parts
     (take 1 told, and (zipWith (>) told (drop 1 told))) `shouldBe` ([1], True)
   it "does not mix pictures of different size" $ do
-    exposed <-
-      exposeMotionBlur
-        Nothing
-        oneWorker
-        (const (pure ()))
-        (turned 0 :| [(turned 0) {scenePicture = Picture 16 8}])
-        (0, 9)
+    exposed <- blurred (turned 0 :| [(turned 0) {scenePicture = Picture 16 8}])
     fmap (toPixelVector . exposedLight) exposed `shouldBe` Nothing
+
+blurred :: NonEmpty Scene -> IO (Maybe Exposed)
+blurred scenes = exposeMotionBlur Nothing oneWorker (const (pure ())) scenes (0, 9)
 
 turned :: Double -> Scene
 turned azimuth =
