@@ -24,7 +24,8 @@ outputFields =
     number Sampling "sampling.noise" (Quantity "a fraction of white" (From 0) (UpTo 1) "")
       `sets` part sceneNoise (\v s -> s {sceneNoise = v})
       `documented` "Standard error, as a fraction of display white, above which a pixel gets rays \
-                   \of its own; below it, neighbours share their rays. 0 for neither"
+                   \of its own; below it, neighbours share their rays. With 0 no rays are shared \
+                   \and none are added"
       `withOption` ("noise", "T"),
     whole Sampling "sampling.most-samples" (1, 65536) ""
       `sets` part sceneMostSamples (\v s -> s {sceneMostSamples = v})
