@@ -11,6 +11,7 @@ module BlackHole.Cli.Memory
 where
 
 import BlackHole.Image.Coding (Format (..))
+import BlackHole.Render.Film (rowsAtOnce)
 import BlackHole.Scene.Camera (Picture (..))
 import BlackHole.Scene.Scene
 import Control.Exception (IOException, evaluate, try)
@@ -48,7 +49,7 @@ data Making = Making
 pictureMemory :: Making -> Scene -> Int -> Integer
 pictureMemory (Making product' blurred kept) scene rows =
   50331648
-    + (if adaptive then layersOfRow * toInteger width * toInteger (min 258 rows) else 0)
+    + layersOfRow * toInteger width * toInteger layerRows
     + toInteger width * toInteger rows
       * sum
         ( ofProduct :
@@ -65,9 +66,10 @@ pictureMemory (Making product' blurred kept) scene rows =
         )
   where
     Picture width _ = scenePicture scene
-    adaptive = mostSamples scene > sceneSamples scene
-    -- Two bands of layers of 256 rows and their neighbours, and the finished pixels of one.
+    adaptive = isAdaptive scene
+    -- Two bands of layers with their neighbouring rows, and the finished pixels of one.
     layersOfRow = 64
+    layerRows = if adaptive then min (rowsAtOnce + 2) rows else 0
     ofProduct = case product' of
       WholePicture format -> ofFormat format
       Tile -> 26

@@ -75,7 +75,7 @@ statsJson s =
     ]
   where
     found = renderStatistics (statsSky s) scene (statsRows s)
-    adaptive = mostSamples scene > sceneSamples scene
+    adaptive = isAdaptive scene
     raysOfPixel =
       maybe
         (fromIntegral (sceneSamples scene))

@@ -4,6 +4,7 @@
 module BlackHole.Render.Film
   ( exposeFilm,
     exposeTraced,
+    rowsAtOnce,
   )
 where
 
@@ -27,7 +28,6 @@ import Control.Monad (when)
 import Control.Monad.ST (ST)
 import Data.Foldable (for_)
 import Data.Functor.Identity (runIdentity)
-import Data.Maybe (fromMaybe)
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as Vector
 import Data.Vector.Storable.Mutable (IOVector, MVector)
@@ -59,7 +59,7 @@ exposeTraced traced workers progress (first, rows)
     Nothing -> pure Nothing
     Just shape -> do
       _ <- mapShared workers pure (tracerTables traced)
-      if mostSamples scene > sceneSamples scene
+      if isAdaptive scene
         then refineRows workers progress traced shape first
         else
           Just . (`Exposed` Nothing)
@@ -70,8 +70,7 @@ exposeTraced traced workers progress (first, rows)
 
 -- | The work of 'exposeFilm' for adaptive sampling: traces the layers of some rows, then,
 -- once all their neighbours are known, the additional samples of these rows, and continues
--- with the next rows. The number of rows at a time is a compromise: workers seldom wait for
--- each other, and the layers need little memory in a large picture.
+-- with the next rows.
 refineRows :: Workers -> (Int -> IO ()) -> Tracer -> PixelShape -> Int -> IO (Maybe Exposed)
 refineRows workers progress traced shape first = do
   -- All bands are written here directly, to avoid copies.
@@ -97,7 +96,7 @@ refineRows workers progress traced shape first = do
             when (from + count < rows) performMajorGC
             go (from + count) (Just (haloFirst, layers))
         where
-          count = min 256 (rows - from)
+          count = min rowsAtOnce (rows - from)
           -- Neighbours also decide whether a pixel needs more samples.
           haloFirst = max 0 (first + from - 1)
           haloRows = min height (first + from + count + 1) - haloFirst
@@ -112,6 +111,11 @@ refineRows workers progress traced shape first = do
       countShape <- pixelShape width rows 1
       Exposed <$> fromPixelVector shape light <*> (Just <$> fromPixelVector countShape counts)
 
+-- | The number of rows that are refined at a time. It is a compromise: workers seldom wait
+-- for each other, and the layers need little memory in a large picture.
+rowsAtOnce :: Int
+rowsAtOnce = 256
+
 -- | Separates light and counts, which are computed together.
 separate :: Vector Float -> IOVector Float -> IOVector Float -> IO ()
 separate both light counts = go 0
@@ -123,47 +127,29 @@ separate both light counts = go 0
       MVector.unsafeWrite counts i (Vector.unsafeIndex both (4 * i + 3))
       go (i + 1)
 
--- | Traces one row into its part of the film.
+-- | Traces one row into its part of the film, three pixels at a time where leapfrogs
+-- interleave or pixels have several samples.
 traceRow :: Tracer -> Int -> Int -> MVector s Float -> ST s ()
 traceRow traced !width !row pixels
-  | sceneSamples scene == 1 && sceneIntegrator scene /= Leapfrogging = oneByOne 0
-  | otherwise =
-    forThrees width (firstSamples traced width row) $ \column sums ->
-      writeRadiance pixels column (estimatedRadiance sums)
+  | count == 1 && sceneIntegrator scene /= Leapfrogging = oneByOne 0
+  | otherwise = byThrees 0
   where
     scene = tracerScene traced
+    count = sceneSamples scene
     oneByOne !column = when (column < width) $ do
       writeRadiance pixels column (onlySample traced column row)
       oneByOne (column + 1)
-
--- | The first samples of three pixels, starting at a column. Pixels beyond the width
--- are not traced.
-firstSamples :: Tracer -> Int -> Int -> Int -> (Estimate, Estimate, Estimate)
-firstSamples traced width row column
-  | column + 3 <= width = addSamplesToThree traced 0 count noSamples noSamples noSamples column row
-  | otherwise = (one column, one (column + 1), one (column + 2))
-  where
-    count = sceneSamples (tracerScene traced)
-    one c
-      | c < width = addSamples traced 0 count noSamples c row
-      | otherwise = noSamples
-{-# INLINE firstSamples #-}
-
--- | Runs an action for every pixel of a row with its estimate, three pixels at a time.
-forThrees ::
-  Int ->
-  (Int -> (Estimate, Estimate, Estimate)) ->
-  (Int -> Estimate -> ST s ()) ->
-  ST s ()
-forThrees !width estimates act = go 0
-  where
-    go !column = when (column < width) $ do
-      let (e0, e1, e2) = estimates column
-      act column e0
-      when (column + 1 < width) $ act (column + 1) e1
-      when (column + 2 < width) $ act (column + 2) e2
-      go (column + 3)
-{-# INLINE forThrees #-}
+    byThrees !column
+      | column + 3 <= width = do
+        let (e0, e1, e2) =
+              addSamplesToThree traced 0 count noSamples noSamples noSamples column row
+        write column e0
+        write (column + 1) e1
+        write (column + 2) e2
+        byThrees (column + 3)
+      | otherwise =
+        for_ [column .. width - 1] $ \c -> write c (addSamples traced 0 count noSamples c row)
+    write column = writeRadiance pixels column . estimatedRadiance
 
 writeRadiance :: MVector s Float -> Int -> Radiance -> ST s ()
 writeRadiance pixels column (Radiance r g b) = do
@@ -179,23 +165,16 @@ layerRow traced !width !row layers = for_ [4, 2, 1] (go 0)
     throughout =
       Vector.generate (width `quot` spanLength + 1) $ \n ->
         tracedThroughout traced (n * spanLength) row
-    apartAt column
-      | Vector.unsafeIndex throughout (column `quot` spanLength) = 4
-      | otherwise = coarseness traced column row
+    apartAt column =
+      coarseness traced (Vector.unsafeIndex throughout (column `quot` spanLength)) column row
     go !column !apart = when (column < width) $ do
       when (apartAt column == apart) $ do
-        between <-
-          if apart == 4
-            then pure Nothing
-            else layersBetween traced <$> at (-3) <*> at (-1) <*> at 1 <*> at 3
-        forLayers (fromMaybe (tracedLayers traced column row) between) $ \k v ->
+        found <- pixelLayers traced apart at column row
+        forLayers found $ \k v ->
           MVector.unsafeWrite layers (layerCount * column + k) (realToFrac v)
       go (column + 1) apart
-      where
-        at k = do
-          let number i =
-                realToFrac <$> MVector.unsafeRead layers (layerCount * (column + k * apart) + i)
-          readLayers number
+    at column =
+      readLayers $ \k -> realToFrac <$> MVector.unsafeRead layers (layerCount * column + k)
 
 -- | Finishes one row, from the layers and the number of their first row: light in three
 -- channels, and the number of rays.

@@ -18,6 +18,7 @@ module BlackHole.Scene.Camera
     sightBeside,
     closesAround,
     pixelAngle,
+    pixelMiddle,
   )
 where
 
@@ -260,3 +261,9 @@ pixelAngle Perspective camera picture = 2 * tan (0.5 * fov) / fromIntegral (pict
   where
     Radians fov = toRadians (cameraFieldOfView camera)
 pixelAngle projection camera picture = pixelScale projection camera picture
+
+-- | The middle of the pixel in a column and a row, in pixels from the picture's top left
+-- corner.
+pixelMiddle :: Int -> Int -> XY
+pixelMiddle column row = XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)
+{-# INLINE pixelMiddle #-}

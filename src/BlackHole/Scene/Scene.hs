@@ -8,6 +8,7 @@ module BlackHole.Scene.Scene
     scaleBarPixels,
     sceneRegion,
     mostSamples,
+    isAdaptive,
   )
 where
 
@@ -126,6 +127,10 @@ mostSamples :: Scene -> Int
 mostSamples scene
   | sceneNoise scene > 0 = max (sceneSamples scene) (sceneMostSamples scene)
   | otherwise = sceneSamples scene
+
+-- | Whether pixels get as many rays as they need, and not all the same number.
+isAdaptive :: Scene -> Bool
+isAdaptive scene = mostSamples scene > sceneSamples scene
 
 -- | How the scene's light is developed for a display.
 sceneDevelopment :: Scene -> Development

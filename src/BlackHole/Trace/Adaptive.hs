@@ -22,7 +22,7 @@ module BlackHole.Trace.Adaptive
 where
 
 import BlackHole.Light.Radiance (Radiance, black)
-import BlackHole.Scene.Camera (Picture (..), closesAround)
+import BlackHole.Scene.Camera (Picture (..), closesAround, pixelMiddle)
 import BlackHole.Scene.Scene
 import BlackHole.Trace.Estimate
 import BlackHole.Trace.Layers
@@ -32,7 +32,6 @@ import BlackHole.Trace.Sampling (Sample)
 import BlackHole.Trace.SkyLight (SkyPatch, pixelSky)
 import BlackHole.Trace.SkySpan
 import BlackHole.Trace.Tracer
-import BlackHole.Vector.XY (XY (..))
 
 -- | The light of a pixel, and the number of rays traced for it.
 data Pixel = Pixel
@@ -78,7 +77,7 @@ data Outlook
 
 outlook :: Tracer -> Kernel -> PixelSpan -> (Int -> Int -> Layers) -> Int -> Int -> Outlook
 outlook traced weights (PixelSpan skies ringIsNear) layersAt !column !row
-  | ringIsNear, Just ring <- pixelRing traced column row = OnRing ring
+  | ringIsNear, Just ring <- photonRing traced (pixelMiddle column row) = OnRing ring
   | least == 1 = Certain sky
   | uncertain > sceneNoise scene = Uncertain light
   | otherwise = Certain light
@@ -118,11 +117,6 @@ finished traced !first !column !row seen = case seen of
      in Pixel most (estimatedRadiance (addRingSamples traced ring 0 most noSamples column row))
 {-# INLINE finished #-}
 
--- | The photon ring at a pixel.
-pixelRing :: Tracer -> Int -> Int -> Maybe PhotonRing
-pixelRing traced column row =
-  photonRing traced (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5))
-
 -- | @moreSamples traced first light column row@ is a pixel after rays of its own, in
 -- addition to the first ones, from whose light it starts. All of them together are no more
 -- than 'mostSamples'.
@@ -145,7 +139,7 @@ startFrom gain light = iterate (addSample gain 1 light) noSamples !! sharedWorth
 -- | A single pixel, bit-identical to the one in a film. Takes much longer than in a film.
 singlePixel :: Tracer -> Int -> Int -> Pixel
 singlePixel traced column row
-  | mostSamples scene > sceneSamples scene =
+  | isAdaptive scene =
     finished traced (firstRays traced column row) column row $
       singleOutlook traced column row
   | otherwise =
@@ -164,13 +158,13 @@ singleOutlook traced column row =
   outlook traced (kernel (sceneFilter (tracerScene traced))) within (storedLayers traced) column row
   where
     within = pixelSpan traced (node 0) (node spanLength) start row
-    start = column - column `rem` spanLength
+    start = spanStart column
     node by = skyNode traced (start + by) row
 
 -- | Where the light of a 'singlePixel' comes from.
 pixelOrigin :: Tracer -> Int -> Int -> Origin
 pixelOrigin traced column row
-  | mostSamples scene <= sceneSamples scene = Origin Nothing sky (plain (sceneSamples scene))
+  | not (isAdaptive scene) = Origin Nothing sky (plain (sceneSamples scene))
   | otherwise = case singleOutlook traced column row of
     Certain light -> Origin (Just light) Nothing []
     Uncertain light ->

@@ -6,7 +6,6 @@ module BlackHole.Trace.Estimate
     addSample,
     estimatedRadiance,
     estimatedError,
-    standardError,
     seenAs,
   )
 where
@@ -63,13 +62,8 @@ estimatedRadiance (Estimate n plain weighted weights _ _)
 -- | The standard error of the mean, as a fraction of display white; 0 for fewer than
 -- two samples. It overestimates the error of evenly spread samples.
 estimatedError :: Estimate -> Double
-estimatedError (Estimate n _ _ _ seen square) = standardError n seen square
-
--- | The standard error from the count, 'estimateSeen' and 'estimateSeenSquare'.
-standardError :: Int -> Double -> Double -> Double
-standardError n seen square
+estimatedError (Estimate n _ _ _ seen square)
   | n < 2 = 0
   | otherwise = sqrt (max 0 (square - seen * seen / count) / (count * (count - 1)))
   where
     count = fromIntegral n
-{-# INLINE standardError #-}

@@ -18,7 +18,7 @@ import BlackHole.Light.Display
 import BlackHole.Light.Radiance
 import BlackHole.Matter.GasFlow (gasFlow)
 import BlackHole.Matter.Redshift
-import BlackHole.Scene.Camera (Picture (..))
+import BlackHole.Scene.Camera (Picture (..), pixelMiddle)
 import BlackHole.Scene.Scene
 import BlackHole.Spacetime.Fate (Fate)
 import BlackHole.Spacetime.Follow (planeCrossings)
@@ -115,7 +115,7 @@ explainPixel traced column row
       Explanation
         { explainedPixel = (column, row),
           explainedMiddle =
-            sighting scene traced Nothing (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)),
+            sighting scene traced Nothing (pixelMiddle column row),
           explainedShared = originShared origin,
           explainedSamples =
             [ (sighting scene traced (originSky origin) place) {sightingWeight = weight}

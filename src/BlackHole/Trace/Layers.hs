@@ -3,15 +3,15 @@
 -- | The layers of a picture: the gas in front, and the sky behind it.
 --
 -- The sky behind a pixel is known without noise, because its light is filtered for the
--- whole pixel. The gas is smooth nearly everywhere. So each pixel gets few rays, and its
--- light is that of the gas at nine pixels, weighted by the reconstruction filter, plus
--- the light of the sky times the share that passes the gas, weighted alike.
+-- whole pixel. The gas is smooth nearly everywhere. So each pixel gets few rays or none,
+-- and its light is a weighted mean of the gas at nine pixels, plus the light of the sky
+-- times the share that passes the gas, averaged alike.
 module BlackHole.Trace.Layers
   ( Layers (..),
     tracedThroughout,
     coarseness,
-    tracedLayers,
     layersBetween,
+    pixelLayers,
     storedLayers,
 
     -- * Nine pixels
@@ -29,9 +29,10 @@ where
 
 import BlackHole.Light.Radiance
 import BlackHole.Scene.Camera (Camera (..), Picture (..), posePosition)
+import BlackHole.Scene.Disk (Disk (..))
 import BlackHole.Scene.Filter
 import BlackHole.Scene.Scene
-import BlackHole.Spacetime.LightPath (Region (..), halfHeightAt)
+import BlackHole.Spacetime.LightPath (halfHeightAt)
 import BlackHole.Trace.Estimate (seenAs)
 import BlackHole.Trace.PhotonRing
 import BlackHole.Trace.Ray
@@ -42,6 +43,7 @@ import BlackHole.Trace.Tracer
 import BlackHole.Vector.XYZ (XYZ (..))
 import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Bits ((.&.))
+import Data.Functor.Identity (Identity (..))
 import Data.Maybe (fromMaybe)
 
 -- | What the first rays of a pixel find.
@@ -67,23 +69,23 @@ tracedThroughout traced column row =
     _ -> True
   where
     scene = tracerScene traced
-    region = tracerRegion traced
     place@(XYZ _ height _) = posePosition (cameraPose (sceneCamera scene))
     distance = XYZ.norm place
+    inner = maybe 1 (max 1 . diskInnerRadius) (sceneDisk scene)
     -- Half the height of the gas's image at the disk's inner edge is less than two pixels.
-    inner = regionInnerRadius region + 1
     thin =
-      halfHeightAt region inner + inner * abs height / distance
+      halfHeightAt (tracerRegion traced) inner + inner * abs height / distance
         < 2 * pixelWidth scene * distance
 
--- | The coarseness of a column in a row: 4 for every fourth column, which is always traced,
--- 2 for those in the middle between two of these, and 1 for the others. Each lies between
--- columns of a greater coarseness at this distance on both sides, and at three times this
--- distance. The columns of one row are shifted against those of the next, and those near
--- the borders are always traced.
-coarseness :: Tracer -> Int -> Int -> Int
-coarseness traced column row
-  | column < 6 || column + 6 >= pictureWidth (scenePicture (tracerScene traced)) = 4
+-- | The coarseness of a column in a row, given whether its span is traced throughout: 4 for
+-- columns that are always traced, as every fourth one, 2 for those in the middle between
+-- two of these, and 1 for the others. Each of the latter lies between columns of a greater
+-- coarseness at this distance on both sides, and at three times this distance. The columns
+-- of one row are shifted against those of the next, and those near the borders are always
+-- traced.
+coarseness :: Tracer -> Bool -> Int -> Int -> Int
+coarseness traced throughout column row
+  | throughout || column < 6 || column + 6 >= pictureWidth (scenePicture (tracerScene traced)) = 4
   | otherwise = case (column + 2 * row) .&. 3 of
     0 -> 4
     2 -> 2
@@ -100,8 +102,8 @@ layersBetween traced a b c d
   | otherwise = Nothing
   where
     seen = seenAs . (tracerGain traced *) . luminance . layersGas
-    -- A cubic through the four values departs from the straight line between the inner two
-    -- by up to the tolerance.
+    -- The inner two differ by at most four tolerances, and the cubic through all four
+    -- departs in the middle from the straight line between these by at most one.
     smooth value tolerance =
       abs (value c - value b) <= 4 * tolerance
         && abs (value a - value b - value c + value d) <= 16 * tolerance
@@ -127,17 +129,26 @@ tracedLayers traced column row = go 0 black 0
       | otherwise = Layers (scaleRadiance share gas) (share * clear) (fromIntegral count)
     share = 1 / fromIntegral count
 
+-- | @pixelLayers traced apart at column row@ are the layers of a pixel of this
+-- 'coarseness', interpolated or traced, from those at columns of a greater coarseness.
+pixelLayers ::
+  Applicative f => Tracer -> Int -> (Int -> f Layers) -> Int -> Int -> f Layers
+pixelLayers traced apart at column row
+  | apart == 4 = pure alone
+  | otherwise = between <$> beside (-3) <*> beside (-1) <*> beside 1 <*> beside 3
+  where
+    alone = tracedLayers traced column row
+    beside k = at (column + k * apart)
+    between a b c d = fromMaybe alone (layersBetween traced a b c d)
+{-# INLINE pixelLayers #-}
+
 -- | The layers of a single pixel as a film stores them, by column and row.
 storedLayers :: Tracer -> Int -> Int -> Layers
-storedLayers traced column row = asStored (fromMaybe (tracedLayers traced column row) between)
+storedLayers traced column row =
+  asStored (runIdentity (pixelLayers traced apart at column row))
   where
-    apart
-      | tracedThroughout traced (column - column `rem` spanLength) row = 4
-      | otherwise = coarseness traced column row
-    at k = storedLayers traced (column + k * apart) row
-    between
-      | apart == 4 = Nothing
-      | otherwise = layersBetween traced (at (-3)) (at (-1)) (at 1) (at 3)
+    apart = coarseness traced (tracedThroughout traced (spanStart column) row) column row
+    at column' = Identity (storedLayers traced column' row)
 
 -- | The layers rounded to what a film in single precision stores.
 asStored :: Layers -> Layers

@@ -16,7 +16,6 @@ import BlackHole.Scene.Scene
 import BlackHole.Spacetime.Follow
 import BlackHole.Spacetime.Observer
 import BlackHole.Spacetime.PlaneCrossing
-import BlackHole.Vector.XY (XY (..))
 import Data.Maybe (listToMaybe)
 
 -- | The geometry of one line of sight.
@@ -47,12 +46,10 @@ pixelGeometry scene = at <$> cameraFrame (sceneCamera scene)
         !plane =
           picturePlane (sceneProjection scene) (sceneCamera scene) (scenePicture scene) frame
         look column row =
-          case sightDirection plane middle >>= sightFrom seer of
+          case sightDirection plane (pixelMiddle column row) >>= sightFrom seer of
             Nothing -> PixelGeometry Nothing Nothing
             Just sight ->
               PixelGeometry (pathDeflection traced sight) (sceneDisk scene >>= hit sight)
-          where
-            middle = XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)
     hit sight disk =
       listToMaybe
         [ redshiftFactor shift <$ crossing

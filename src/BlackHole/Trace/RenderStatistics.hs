@@ -10,7 +10,7 @@ module BlackHole.Trace.RenderStatistics
   )
 where
 
-import BlackHole.Scene.Camera (Picture (..))
+import BlackHole.Scene.Camera (Picture (..), pixelMiddle)
 import BlackHole.Scene.Scene
 import BlackHole.Spacetime.Fate
 import BlackHole.Spacetime.LightPath (Continue (..), Followed (..))
@@ -19,7 +19,6 @@ import BlackHole.Trace.EnvironmentMap (EnvironmentMap)
 import BlackHole.Trace.Explain (gatheredAlong)
 import BlackHole.Trace.Ray
 import BlackHole.Trace.Tracer
-import BlackHole.Vector.XY (XY (..))
 import BlackHole.Vector.XYZ (XYZ)
 import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Maybe (isNothing)
@@ -77,13 +76,13 @@ renderStatistics picture scene (first, rows)
         }
   where
     Picture width _ = scenePicture scene
-    adaptive = mostSamples scene > sceneSamples scene
+    adaptive = isAdaptive scene
     -- About a thousand, in squares.
     side = max 1 (sqrt (fromIntegral (width * rows) / 1000)) :: Double
     across = max 1 (min width (round (fromIntegral width / side)))
     down = max 1 (min rows (round (fromIntegral rows / side)))
     look traced exact !column !row =
-      let point = XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)
+      let point = pixelMiddle column row
           rays =
             if adaptive then pixelRays (singlePixel traced column row) else sceneSamples scene
        in case (tracedSight traced point, tracedSight exact point) of

@@ -78,9 +78,12 @@ starsAndMilkyWay settings milkyWayImage =
   stars `seq` milkyWayImage `seq` ByDifferential between radiance
   where
     between first final
-      | not (starlessBetween stars (turn first) (turn final)) = Shaded radiance
-      | linearBetween milkyWayImage (turn first) (turn final) = Linear
+      | not (starlessBetween stars first' final') = Shaded radiance
+      | linearBetween milkyWayImage first' final' = Linear
       | otherwise = Shaded (\g differential -> band g (turn differential))
+      where
+        first' = turn first
+        final' = turn final
     radiance g differential =
       scaleRadiance gain (starFieldRadiance stars g turnedDifferential)
         <+> band g turnedDifferential

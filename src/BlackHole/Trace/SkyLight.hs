@@ -16,6 +16,7 @@ module BlackHole.Trace.SkyLight
 where
 
 import BlackHole.Light.Radiance
+import BlackHole.Scene.Camera (pixelMiddle)
 import BlackHole.Scene.Scene (mostSamples)
 import BlackHole.Scene.Shifts (skyShift)
 import BlackHole.Spacetime.Fate
@@ -54,8 +55,7 @@ data SkyPatch
 -- 'Nothing' for a sky that is cheap to evaluate, for pixels of one sample, and where no
 -- light arrives from the sky.
 pixelSky :: Tracer -> Int -> Int -> Maybe SkyPatch
-pixelSky traced column row =
-  skyPatch traced (XY (fromIntegral column + 0.5) (fromIntegral row + 0.5))
+pixelSky traced column row = skyPatch traced (pixelMiddle column row)
 
 -- | The sky behind a pixel around a point of the picture.
 skyPatch :: Tracer -> XY -> Maybe SkyPatch

@@ -7,6 +7,7 @@ module BlackHole.Trace.SkySpan
   ( SkyNode,
     skyNode,
     spanLength,
+    spanStart,
     spanMiddle,
     SkySpan,
     skySpan,
@@ -15,6 +16,7 @@ module BlackHole.Trace.SkySpan
 where
 
 import BlackHole.Light.Radiance
+import BlackHole.Scene.Camera (pixelMiddle)
 import BlackHole.Trace.RayDifferential
 import BlackHole.Trace.Sky
 import BlackHole.Trace.SkyLight
@@ -24,21 +26,25 @@ import BlackHole.Vector.XYZ ((*^), (^+^), (^-^))
 import qualified BlackHole.Vector.XYZ as XYZ
 
 -- | The sky behind a pixel from which the sky behind its neighbours in the row follows:
--- the beam, and the observed frequency over the sky's.
+-- the beam, the observed frequency over the sky's, and the light.
 data SkyNode = SkyNode {-# UNPACK #-} !RayDifferential {-# UNPACK #-} !Double Radiance
 
--- | The sky behind the pixel in a column and a row, if any.
+-- | The sky behind the pixel in a column and a row, if any light arrives from it and it is
+-- known for whole pixels.
 skyNode :: Tracer -> Int -> Int -> Maybe SkyNode
-skyNode traced column row = node <$> skyBeam traced point
-  where
-    point = XY (fromIntegral column + 0.5) (fromIntegral row + 0.5)
-    node (differential, shift) = SkyNode differential shift $ case tracerSky traced of
-      ByDifferential _ shader -> shader shift differential
-      ByDirection shader -> shader shift (differentialDirection differential)
+skyNode traced column row = case tracerSky traced of
+  ByDifferential _ shader -> node <$> skyBeam traced (pixelMiddle column row)
+    where
+      node (differential, shift) = SkyNode differential shift (shader shift differential)
+  ByDirection _ -> Nothing
 
 -- | How many pixels of a row a span has.
 spanLength :: Int
 spanLength = 8
+
+-- | The first column of the span that holds a column.
+spanStart :: Int -> Int
+spanStart column = column - column `rem` spanLength
 
 -- | The middle of the span that begins in a column of a row.
 spanMiddle :: Int -> Int -> XY

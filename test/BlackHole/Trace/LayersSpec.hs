@@ -92,12 +92,12 @@ spec = do
     it "columns of every coarseness lie between coarser ones, shifted from row to row" $ do
       Just traced <- pure (tracer defaultScene)
       forM_ [(c, r) | c <- [6 .. 60], r <- [0 .. 3]] $ \(c, r) -> do
-        let apart = coarseness traced c r
+        let apart = coarseness traced False c r
         apart `shouldSatisfy` (`elem` [1, 2, 4])
         if apart == 4
-          then coarseness traced c (r + 1) `shouldBe` 2
+          then coarseness traced False c (r + 1) `shouldBe` 2
           else forM_ [-3, -1, 1, 3] $ \k ->
-            coarseness traced (c + k * apart) r `shouldSatisfy` (> apart)
+            coarseness traced False (c + k * apart) r `shouldSatisfy` (> apart)
   it "the sky in a span is the sky behind each of its pixels" $ do
     let scene = defaultScene {scenePicture = Picture 640 360, sceneDisk = Nothing}
     Just traced <- pure (tracer scene)
