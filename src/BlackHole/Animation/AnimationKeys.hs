@@ -49,8 +49,8 @@ animationKeys =
     AnimationKey
       "shutter-samples"
       (WholeKind 1 maximumShutterSamples "")
-      "Times averaged in each \
-      \frame with an open shutter; rendering takes that many times as long (default: 8)"
+      "Times averaged in each frame with an open shutter; rendering takes that many times as long \
+      \(default: 8)"
   ]
 
 -- | The keys of the group @camera-path@.

@@ -185,8 +185,7 @@ plan options environment coder animation = do
         Left
           ( CannotWrite,
             [ "--video: needs ffmpeg, which is not installed (on Debian and Ubuntu: apt-get \
-              \install \
-              \ffmpeg); nothing has been rendered"
+              \install ffmpeg); nothing has been rendered"
             ]
           )
 
