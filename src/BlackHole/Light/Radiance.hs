@@ -5,6 +5,7 @@ module BlackHole.Light.Radiance
     grey,
     (<+>),
     scaleRadiance,
+    mixRadiance,
     mapRadiance,
     luminance,
     isFiniteRadiance,
@@ -51,6 +52,12 @@ Radiance r g b <+> Radiance r' g' b' = Radiance (r + r') (g + g') (b + b')
 scaleRadiance :: Double -> Radiance -> Radiance
 scaleRadiance k (Radiance r g b) = Radiance (k * r) (k * g) (k * b)
 {-# INLINE scaleRadiance #-}
+
+-- | @mixRadiance t a b@ is the light at a fraction t of the way from a to b.
+mixRadiance :: Double -> Radiance -> Radiance -> Radiance
+mixRadiance t (Radiance r g b) (Radiance r' g' b') =
+  Radiance (r + t * (r' - r)) (g + t * (g' - g)) (b + t * (b' - b))
+{-# INLINE mixRadiance #-}
 
 -- | Applies a function to each of the three components.
 mapRadiance :: (Double -> Double) -> Radiance -> Radiance

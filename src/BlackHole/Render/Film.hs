@@ -184,7 +184,7 @@ refineRow traced !width !layersFirst layers !row pixels = spans 0 (skyNode trace
     spans !column node = when (column < width) $ do
       let end = column + spanLength
           next = skyNode traced end row
-      go (pixelSpan traced node next column row) (min width end) column
+      go (pixelSpan traced node next layersAt column row) (min width end) column
       spans end next
     go within !end !column = when (column < end) $ do
       let Pixel rays (Radiance r g b) = refinedPixel traced weights within layersAt column row

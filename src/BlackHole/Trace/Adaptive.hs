@@ -40,19 +40,43 @@ data Pixel = Pixel
   }
   deriving (Eq, Show)
 
--- | What the pixels of a span share: their sky, and whether the photon ring may pass
--- through or beside one of them.
-data PixelSpan = PixelSpan SkySpan Bool
+-- | What the pixels of a span share: their sky, and what surrounds them.
+data PixelSpan = PixelSpan SkySpan !Surroundings
 
--- | @pixelSpan traced first next column row@ is the span from a column, a multiple of
--- 'spanLength', with the nodes of the sky there and at the next multiple.
-pixelSpan :: Tracer -> Maybe SkyNode -> Maybe SkyNode -> Int -> Int -> PixelSpan
-pixelSpan traced first next column row = PixelSpan (skySpan traced first next) ringIsNear
+-- | What surrounds the pixels of a span.
+data Surroundings
+  = -- | The photon ring may pass through or beside one of them.
+    RingNear
+  | -- | Nothing is in front of the sky, behind them and their neighbours.
+    OpenSky
+  | Anything
+
+-- | @pixelSpan traced first next layersAt column row@ is the span from a column, a multiple
+-- of 'spanLength', with the nodes of the sky there and at the next multiple, from the stored
+-- layers by column and row.
+pixelSpan ::
+  Tracer ->
+  Maybe SkyNode ->
+  Maybe SkyNode ->
+  (Int -> Int -> Layers) ->
+  Int ->
+  Int ->
+  PixelSpan
+pixelSpan traced first next layersAt column row =
+  PixelSpan (skySpan traced first next) surroundings
   where
+    surroundings
+      | ringIsNear = RingNear
+      | all clearInRow [max 0 (row - 1) .. min (height - 1) (row + 1)] = OpenSky
+      | otherwise = Anything
     ringIsNear = case tracerMatter traced of
       Gaseous _ -> photonRingWithin traced reach (spanMiddle column row)
       _ -> False
     reach = 16 + 5 * fromIntegral spanLength
+    clearInRow y = column > 0 && column + spanLength < width && clear (column - 1) y
+    clear !x y = x > column + spanLength || layersClear (layersAt x y) == 1 && clear (x + 1) y
+    Picture width height = scenePicture (tracerScene traced)
+{-# INLINE pixelSpan #-}
 
 -- | Where the light of a pixel comes from.
 data Origin = Origin
@@ -76,8 +100,11 @@ data Outlook
   | Uncertain !Radiance
 
 outlook :: Tracer -> Kernel -> PixelSpan -> (Int -> Int -> Layers) -> Int -> Int -> Outlook
-outlook traced weights (PixelSpan skies ringIsNear) layersAt !column !row
-  | ringIsNear, Just ring <- photonRing traced (pixelMiddle column row) = OnRing ring
+outlook traced weights (PixelSpan skies surroundings) layersAt !column !row
+  | OpenSky <- surroundings = Certain (skyInSpan traced skies column row)
+  | RingNear <- surroundings,
+    Just ring <- photonRing traced (pixelMiddle column row) =
+    OnRing ring
   | least == 1 = Certain sky
   | uncertain > sceneNoise scene = Uncertain light
   | otherwise = Certain light
@@ -157,7 +184,7 @@ singleOutlook :: Tracer -> Int -> Int -> Outlook
 singleOutlook traced column row =
   outlook traced (kernel (sceneFilter (tracerScene traced))) within (storedLayers traced) column row
   where
-    within = pixelSpan traced (node 0) (node spanLength) start row
+    within = pixelSpan traced (node 0) (node spanLength) (storedLayers traced) start row
     start = spanStart column
     node by = skyNode traced (start + by) row
 

@@ -19,7 +19,8 @@ module BlackHole.Trace.EnvironmentMap
     environmentMapFromSources,
     environmentMapMean,
     environmentMapRadiance,
-    linearBetween,
+    Evenness (..),
+    evennessBetween,
   )
 where
 
@@ -236,7 +237,7 @@ directionAt u v = XYZ (sin longitude * s) (cos (pi * v)) (negate (cos longitude 
 -- | The light of one level at a point, linear between the middles of the fields.
 -- The ring beyond a pole is the first ring on the far side.
 levelRadiance :: EnvironmentMap -> Int -> Place -> Radiance
-levelRadiance image level (Place u v) = mix t (ringAt above) (ringAt (above + 1))
+levelRadiance image level (Place u v) = mixRadiance t (ringAt above) (ringAt (above + 1))
   where
     rings = U.unsafeIndex (imageRings image) level
     first = U.unsafeIndex (imageFirstRing image) level
@@ -251,7 +252,7 @@ levelRadiance image level (Place u v) = mix t (ringAt above) (ringAt (above + 1)
 
 -- | Light along one ring, linear between the fields' middles, round the seam.
 ringRadiance :: EnvironmentMap -> Int -> Double -> Radiance
-ringRadiance image ring u = mix t (at left) (at (if left + 1 >= n then left + 1 - n else left + 1))
+ringRadiance image ring u = mixRadiance t (at left) (at (if left + 1 >= n then left + 1 - n else left + 1))
   where
     start = U.unsafeIndex (imageRingStart image) ring
     n = U.unsafeIndex (imageRingStart image) (ring + 1) - start
@@ -261,11 +262,6 @@ ringRadiance image ring u = mix t (at left) (at (if left + 1 >= n then left + 1 
     left = whole `rem` n
     at j = fieldRadiance (imageFields image) (start + j)
 
-mix :: Double -> Radiance -> Radiance -> Radiance
-mix t (Radiance r g b) (Radiance r' g' b') =
-  Radiance (r + t * (r' - r)) (g + t * (g' - g)) (b + t * (b' - b))
-{-# INLINE mix #-}
-
 -- | The light at a point, blurred to fields of a given size in radians, from the
 -- two levels nearest to it.
 blurredRadiance :: EnvironmentMap -> Double -> XYZ -> Radiance
@@ -273,7 +269,7 @@ blurredRadiance image size direction
   | size <= finestField || top <= 0 = levelRadiance image 0 place
   | level >= top = levelRadiance image top place
   | otherwise =
-    mix
+    mixRadiance
       (height - fromIntegral level)
       (levelRadiance image level place)
       (levelRadiance image (level + 1) place)
@@ -328,13 +324,26 @@ environmentMapRadiance image differential
               (total + weight)
               (light <+> scaleRadiance weight (blurredRadiance image short (d ^+^ t *^ axis)))
 
--- | Whether the light through all beams between two is close to linear, as between
--- directions in one field of the finest level.
-linearBetween :: EnvironmentMap -> RayDifferential -> RayDifferential -> Bool
-linearBetween image first final =
-  XYZ.distance (differentialDirection first) (differentialDirection final) <= fieldSize image
-    && differentialExtent first <= fieldSize image
-    && differentialExtent final <= fieldSize image
+-- | How a map's light changes through the beams between two.
+data Evenness
+  = -- | Nearly linearly from one to the other, as between directions in one of the finest
+    -- fields.
+    Linear
+  | -- | Nearly linearly from each to the middle.
+    LinearByHalves
+  | Uneven
+  deriving (Eq, Show)
+
+-- | How the light changes through the beams between two.
+evennessBetween :: EnvironmentMap -> RayDifferential -> RayDifferential -> Evenness
+evennessBetween image first final
+  | any ((> field) . differentialExtent) [first, final] = Uneven
+  | apart <= field = Linear
+  | apart <= 2 * field = LinearByHalves
+  | otherwise = Uneven
+  where
+    field = fieldSize image
+    apart = XYZ.distance (differentialDirection first) (differentialDirection final)
 
 -- | Height of the finest fields, in radians.
 fieldSize :: EnvironmentMap -> Double

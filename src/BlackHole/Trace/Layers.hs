@@ -63,9 +63,9 @@ data Layers = Layers
 tracedThroughout :: Tracer -> Int -> Int -> Bool
 tracedThroughout traced column row =
   case (tracerLens traced, tracerMatter traced, tracerSky traced) of
-    (Nothing, Gaseous _, ByDifferential _ _) ->
+    (Nothing, Gaseous _, ByDifferential _) ->
       thin || photonRingWithin traced 16 (spanMiddle column row)
-    (Nothing, Vacuum, ByDifferential _ _) -> False
+    (Nothing, Vacuum, ByDifferential _) -> False
     _ -> True
   where
     scene = tracerScene traced

@@ -119,7 +119,7 @@ gasBeforeSky prepared point
     Nothing -> (black, 0)
     Just sight -> case followLight traced point sight of
       Followed fate (Gathered light transmittance) _ -> case tracerSky traced of
-        ByDifferential _ _ | Escaped _ <- fate -> (light, transmittance)
+        ByDifferential _ | Escaped _ <- fate -> (light, transmittance)
         _ -> (light <+> scaleRadiance transmittance (tracedSky traced point sight fate), 0)
   where
     traced = lazy prepared

@@ -3,7 +3,9 @@
 -- | Light from the celestial sphere.
 module BlackHole.Trace.Sky
   ( SkyShader (..),
+    FilteredSky (..),
     Between (..),
+    skyThrough,
     skyShader,
     panoramaShader,
     neededPicture,
@@ -32,20 +34,36 @@ import Data.Word (Word64)
 
 -- | Light from the sky for an observer who sees it at g times its frequency: a function
 -- of the direction alone (unit length, in which the path escapes), or of the whole beam
--- where the sky is filtered for it. The latter come with what they simplify to between two
--- beams that differ little.
+-- where the sky is filtered for it.
 data SkyShader
   = ByDirection !(Double -> XYZ -> Radiance)
-  | ByDifferential
-      !(RayDifferential -> RayDifferential -> Between)
-      !(Double -> RayDifferential -> Radiance)
+  | ByDifferential !FilteredSky
+
+-- | Light from the sky through a beam, in two parts. Both take the beam in the frame of the
+-- sky, and g.
+data FilteredSky = FilteredSky
+  { -- | Turns a beam of the scene into the frame of the sky.
+    skyFrame :: !(RayDifferential -> RayDifferential),
+    -- | All light but that of point stars.
+    skyDiffuse :: !(Double -> RayDifferential -> Radiance),
+    -- | The light of point stars.
+    skyStars :: !(Double -> RayDifferential -> Radiance),
+    -- | What both simplify to between two beams of a row that differ little.
+    skyBetween :: !(RayDifferential -> RayDifferential -> Between)
+  }
 
 -- | The light of a sky between two beams.
-data Between
-  = -- | It changes linearly from one to the other.
-    Linear
-  | -- | A shader finds it.
-    Shaded !(Double -> RayDifferential -> Radiance)
+data Between = Between
+  { betweenDiffuse :: !Evenness,
+    -- | The light of stars, if there are any.
+    betweenStars :: !(Maybe (Double -> RayDifferential -> Radiance))
+  }
+
+-- | All light of a sky through a beam of the scene.
+skyThrough :: FilteredSky -> Double -> RayDifferential -> Radiance
+skyThrough sky g differential = skyDiffuse sky g framed <+> skyStars sky g framed
+  where
+    framed = skyFrame sky differential
 
 -- | The light of a sky, given the scene's seed. A star is a black body and changes its
 -- colour with g; light of unknown spectrum keeps its colour. Either way the intensity
@@ -58,10 +76,10 @@ skyShader picture seed sky = case sky of
   SkyPanorama panorama -> panoramaShader panorama <$> picture
   SkyNoise stars -> Just (ByDirection (starRadiance seed stars))
   SkyStars settings -> starsAndMilkyWay settings <$> realMilkyWay
-  SkyRandomStars stars -> Just (throughout (pointStarRadiance seed stars))
+  SkyRandomStars stars -> Just (pointStarRadiance seed stars)
   SkyGrid -> Just (ByDirection grid)
   SkyUniform v -> Just (ByDirection (\g _ -> grey (v * g ^ (4 :: Int))))
-  SkyNone -> Just (ByDifferential (\_ _ -> Linear) (\_ _ -> black))
+  SkyNone -> Just (ByDifferential blackSky)
   where
     grid g direction = scaleRadiance (g * g * (g * g)) (gridRadiance direction)
 
@@ -75,28 +93,11 @@ neededPicture scene = case sceneSky scene of
 -- black body and takes on that of another for an observer who sees it shifted.
 starsAndMilkyWay :: RealSky -> EnvironmentMap -> SkyShader
 starsAndMilkyWay settings milkyWayImage =
-  stars `seq` milkyWayImage `seq` ByDifferential between radiance
+  ByDifferential (withStars gain realStarField (filtered turn diffuse tint milkyWayImage))
   where
-    between first final
-      | not (starlessBetween stars first' final') = Shaded radiance
-      | linearBetween milkyWayImage first' final' = Linear
-      | otherwise = Shaded (\g differential -> band g (turn differential))
-      where
-        first' = turn first
-        final' = turn final
-    radiance g differential =
-      scaleRadiance gain (starFieldRadiance stars g turnedDifferential)
-        <+> band g turnedDifferential
-      where
-        turnedDifferential = turn differential
-    band g differential =
-      scaleRadiance
-        (diffuse * (g * g * (g * g)))
-        (tint g (environmentMapRadiance milkyWayImage differential))
-    stars = realStarField
     gain = realSkyBrightness settings * magnitudeZeroFlux
     diffuse = gain * realSkyMilkyWay settings
-    !tint = shiftedMixture 5200
+    tint = shiftedMixture 5200
     turn (RayDifferential d a b) = RayDifferential (toFrame d) (toFrame a) (toFrame b)
     !toFrame = toRealSky (inRadians (toRadians (realSkyRotation settings)))
 
@@ -110,33 +111,50 @@ magnitudeZeroFlux :: Double
 magnitudeZeroFlux = 80e-6
 
 -- | Random stars in front of the random band.
-pointStarRadiance :: Word64 -> PointStars -> Double -> RayDifferential -> Radiance
-pointStarRadiance seed stars
-  | pointStarsMilkyWay stars > 0 =
-    band `seq` field `seq` \g differential ->
-      starFieldRadiance field g differential
-        <+> scaleRadiance
-          (pointStarsMilkyWay stars * (g * g * (g * g)))
-          (environmentMapRadiance band differential)
-  | otherwise = field `seq` starFieldRadiance field
+pointStarRadiance :: Word64 -> PointStars -> SkyShader
+pointStarRadiance seed stars = ByDifferential (withStars 1 field band)
   where
     field = starField (1e-6 * pointStarsBrightness stars) catalogue
     catalogue = starCatalogue (purposeSeed seed StarPlaces) (pointStarsCount stars)
-    band = milkyWay (purposeSeed seed GalacticClouds)
-
--- | A sky that no beams simplify.
-throughout :: (Double -> RayDifferential -> Radiance) -> SkyShader
-throughout shader = ByDifferential (\_ _ -> Shaded shader) shader
+    band
+      | pointStarsMilkyWay stars > 0 =
+        filtered id (pointStarsMilkyWay stars) (const id) (milkyWay (purposeSeed seed GalacticClouds))
+      | otherwise = blackSky
 
 -- | An image of the sky with the turn ('turned') and the brightness of an environment
 -- map.
 panoramaShader :: Panorama -> EnvironmentMap -> SkyShader
-panoramaShader panorama image = throughout $ \g differential ->
-  scaleRadiance
-    (panoramaBrightness panorama * (g * g * (g * g)))
-    (environmentMapRadiance image (turn differential))
+panoramaShader panorama = ByDifferential . filtered turn (panoramaBrightness panorama) (const id)
   where
     turn = turned (inRadians (toRadians (panoramaRotation panorama)))
+
+-- | @filtered frame gain tint image@ is an image in a frame of its own, so many times as
+-- bright, in the colours that @tint@ gives it for a g.
+filtered ::
+  (RayDifferential -> RayDifferential) ->
+  Double ->
+  (Double -> Radiance -> Radiance) ->
+  EnvironmentMap ->
+  FilteredSky
+filtered frame gain tint image =
+  blackSky {skyFrame = frame, skyDiffuse = diffuse, skyBetween = between}
+  where
+    between first final = Between (evennessBetween image first final) Nothing
+    diffuse g differential =
+      scaleRadiance (gain * (g * g * (g * g))) (tint g (environmentMapRadiance image differential))
+
+-- | A sky with the stars of a field, so many times as bright, in its frame.
+withStars :: Double -> StarField -> FilteredSky -> FilteredSky
+withStars gain field sky =
+  field `seq` sky {skyStars = brightened (starFieldRadiance field), skyBetween = between}
+  where
+    between first final =
+      (skyBetween sky first final) {betweenStars = brightened <$> starFieldBetween field first final}
+    brightened stars g differential = scaleRadiance gain (stars g differential)
+
+-- | No light at all.
+blackSky :: FilteredSky
+blackSky = FilteredSky id (\_ _ -> black) (\_ _ -> black) (\_ _ -> Between Linear Nothing)
 
 -- | Stars where noise on the sphere rises above a threshold.
 starRadiance :: Word64 -> Stars -> Double -> XYZ -> Radiance

@@ -60,14 +60,14 @@ pixelSky traced column row = skyPatch traced (pixelMiddle column row)
 -- | The sky behind a pixel around a point of the picture.
 skyPatch :: Tracer -> XY -> Maybe SkyPatch
 skyPatch traced point = case tracerSky traced of
-  ByDifferential _ shader
+  ByDifferential sky
     | mostSamples (tracerScene traced) > 1 -> do
       (differential, shift) <- skyBeam traced point
       let area = differentialSolidAngle differential
           along = XYZ.dot (differentialAlongX differential) (differentialAlongX differential)
           across = XYZ.dot (differentialAlongY differential) (differentialAlongY differential)
           slack = 0.01 * area * area / (along + across)
-      pure (SkyPatch point differential slack (shader shift differential))
+      pure (SkyPatch point differential slack (skyThrough sky shift differential))
   _ -> Nothing
 
 -- | The sky behind a pixel on the photon ring for all of its samples, from the first of
@@ -101,8 +101,8 @@ tracedSky prepared point sight fate = case fate of
     let !shift = skyShift (tracerSkyShift traced) (sightFrequency sight)
      in case tracerSky traced of
           ByDirection shader -> shader shift direction
-          ByDifferential _ shader ->
-            maybe black (shader shift) (tracedDifferential traced point sight direction)
+          ByDifferential sky ->
+            maybe black (skyThrough sky shift) (tracedDifferential traced point sight direction)
   _ -> black
   where
     -- Otherwise GHC takes the record apart for the call and reassembles it here.

@@ -17,6 +17,7 @@ where
 
 import BlackHole.Light.Radiance
 import BlackHole.Scene.Camera (pixelMiddle)
+import BlackHole.Trace.EnvironmentMap (Evenness (..))
 import BlackHole.Trace.RayDifferential
 import BlackHole.Trace.Sky
 import BlackHole.Trace.SkyLight
@@ -26,16 +27,19 @@ import BlackHole.Vector.XYZ ((*^), (^+^), (^-^))
 import qualified BlackHole.Vector.XYZ as XYZ
 
 -- | The sky behind a pixel from which the sky behind its neighbours in the row follows:
--- the beam, the observed frequency over the sky's, and the light.
+-- the beam in the frame of the sky, the observed frequency over the sky's, and the diffuse
+-- light.
 data SkyNode = SkyNode {-# UNPACK #-} !RayDifferential {-# UNPACK #-} !Double Radiance
 
 -- | The sky behind the pixel in a column and a row, if any light arrives from it and it is
 -- known for whole pixels.
 skyNode :: Tracer -> Int -> Int -> Maybe SkyNode
 skyNode traced column row = case tracerSky traced of
-  ByDifferential _ shader -> node <$> skyBeam traced (pixelMiddle column row)
+  ByDifferential sky -> node <$> skyBeam traced (pixelMiddle column row)
     where
-      node (differential, shift) = SkyNode differential shift (shader shift differential)
+      node (differential, shift) =
+        let framed = skyFrame sky differential
+         in SkyNode framed shift (skyDiffuse sky shift framed)
   ByDirection _ -> Nothing
 
 -- | How many pixels of a row a span has.
@@ -53,38 +57,44 @@ spanMiddle column row =
 
 -- | The sky behind the pixels of a row from one multiple of 'spanLength' to the next.
 data SkySpan
-  = -- | Its light changes evenly from the first pixel to the first of the next span.
-    EvenLight !Radiance !Radiance
-  | -- | The beams do, and this shader finds their light.
-    EvenBeams !(Double -> RayDifferential -> Radiance) !SkyNode !SkyNode
-  | -- | It has to be found for each pixel.
-    Uneven
+  = -- | The beams between two nodes follow from theirs; so does the diffuse light, from that
+    -- of both and that in the middle.
+    EvenSpan !FilteredSky !SkyNode !SkyNode !Between Radiance
+  | -- | The light has to be found for each pixel.
+    UnevenSpan
 
 -- | The span between two nodes.
 skySpan :: Tracer -> Maybe SkyNode -> Maybe SkyNode -> SkySpan
-skySpan traced (Just node@(SkyNode first _ light)) (Just node'@(SkyNode final _ light'))
-  | ByDifferential between _ <- tracerSky traced,
-    straight = case between first final of
-    Linear -> EvenLight light light'
-    Shaded shader -> EvenBeams shader node node'
+skySpan traced (Just node@(SkyNode first shift _)) (Just node'@(SkyNode final shift' _))
+  | ByDifferential sky <- tracerSky traced,
+    straight =
+    EvenSpan sky node node' (skyBetween sky first final) $
+      skyDiffuse sky (0.5 * (shift + shift')) (beamBetween first final 0.5)
   where
     RayDifferential d a b = first
     RayDifferential d' a' b' = final
-    -- The beams change little.
-    straight = small (a' ^-^ a) && small (b' ^-^ b) && small (mean ^-^ a)
-    mean = (1 / fromIntegral spanLength) *^ (d' ^-^ d)
-    small change = XYZ.dot change change < 0.04 * min (XYZ.dot a a) (XYZ.dot b b)
-skySpan _ _ _ = Uneven
+    -- The beams change little, and nearly linearly.
+    straight =
+      within 0.25 (a' ^-^ a) && within 0.25 (b' ^-^ b)
+        && within 0.001 ((1 / fromIntegral spanLength) *^ (d' ^-^ d) ^-^ 0.5 *^ (a ^+^ a'))
+    within part change = XYZ.dot change change < part * min (XYZ.dot a a) (XYZ.dot b b)
+skySpan _ _ _ = UnevenSpan
 
 -- | The light of the sky behind a pixel, given the span that holds it.
 skyInSpan :: Tracer -> SkySpan -> Int -> Int -> Radiance
-skyInSpan traced within column row = case within of
-  EvenLight first final -> scaleRadiance (1 - t) first <+> scaleRadiance t final
-  EvenBeams shader (SkyNode first shift _) (SkyNode final shift' _) ->
-    shader (shift + t * (shift' - shift)) (beamBetween first final t)
-  Uneven -> patchLight (pixelSky traced column row)
+skyInSpan traced UnevenSpan column row = patchLight (pixelSky traced column row)
+skyInSpan _ (EvenSpan sky (SkyNode first shift light) (SkyNode final shift' light') between middle) column _ =
+  maybe diffuse (\stars -> diffuse <+> stars g beam) (betweenStars between)
   where
+    diffuse = case betweenDiffuse between of
+      Linear -> mixRadiance t light light'
+      LinearByHalves
+        | t < 0.5 -> mixRadiance (2 * t) light middle
+        | otherwise -> mixRadiance (2 * t - 1) middle light'
+      Uneven -> skyDiffuse sky g beam
     t = fromIntegral (column `rem` spanLength) / fromIntegral spanLength
+    g = shift + t * (shift' - shift)
+    beam = beamBetween first final t
 
 -- | The beam at a fraction of the way along a span, by Hermite's interpolation of the
 -- direction.

@@ -17,7 +17,7 @@ module BlackHole.Trace.StarField
   ( StarField,
     starField,
     starFieldRadiance,
-    starlessBetween,
+    starFieldBetween,
     shiftedMixture,
     pixelKernel,
   )
@@ -65,9 +65,9 @@ starField unitFlux stars = foldr seq (StarField tiers) tiers
     tiers =
       [ tier unitFlux stars side limit rings from (min to (starCount stars))
         | (from, to, side, limit, rings) <-
-            [ (0, 400, 16, 0.6, 16),
-              (400, 6000, 64, 0.23, 32),
-              (6000, starCount stars, 160, 0.083, 64)
+            [ (0, 400, 16, 0.3, 32),
+              (400, 6000, 64, 0.115, 64),
+              (6000, starCount stars, 160, 0.042, 128)
             ],
           from < min to (starCount stars)
       ]
@@ -151,21 +151,15 @@ pixelKernel p
 -- A beam as wide as a pixel takes 80 ns without a star in it and 0.1 µs more for each
 -- star.
 starFieldRadiance :: StarField -> Double -> RayDifferential -> Radiance
-starFieldRadiance (StarField tiers) g differential@(RayDifferential (XYZ dx dy dz) a b)
+starFieldRadiance (StarField tiers) g differential@(RayDifferential (XYZ dx dy dz) _ _)
   | isNaN (extent + dx + dy + dz) || isInfinite extent =
-    scaleRadiance g4 (foldMap (environmentMapMean . tierBlurred) tiers)
-  | otherwise = scaleRadiance g4 (go black tiers)
+    scaleRadiance (fourth g) (foldMap (environmentMapMean . tierBlurred) tiers)
+  | otherwise = scaleRadiance (fourth g) (go black tiers)
   where
-    !g4 = g * g * (g * g)
     !extent = kernelRadius * differentialExtent differential
-    !area = abs (differentialSolidAngle differential)
-    !breadth = XYZ.dot a a + XYZ.dot b b
-    -- On a critical curve of the lens the beam is squeezed into a line, and the
-    -- first-order magnification of a star is unbounded. The true value needs more than
-    -- the Jacobian, and a wrong one would sparkle. So within about two pixels of the
-    -- curve, a star is as bright as it is two pixels away.
-    !weight = 1 / max area (breadth * min squeezed (4 * sqrt breadth))
-    look = lookThrough g extent differential
+    !weight = starWeight differential
+    !windows = windowsThrough kernelRadius differential
+    look = lookThrough g differential
     go !light [] = light
     go !light (t : rest)
       | share >= 1 = go (light <+> points t) rest
@@ -175,52 +169,74 @@ starFieldRadiance (StarField tiers) g differential@(RayDifferential (XYZ dx dy d
       where
         share = max 0 (min 1 (2 - 2 * extent / tierLimit t))
     points t
-      | area > 1e-9 * breadth = scaleRadiance weight (tierPoints look t)
+      | weight > 0 = scaleRadiance weight (tierPoints look windows t)
       | otherwise = black
     blurred t = shiftedStars g (environmentMapRadiance (tierBlurred t) differential)
 
--- | Whether no star shines through any of the beams along a line in the picture, from the
--- first and the last, whose directions must differ little. 'False' where beams are too wide
--- to tell.
-starlessBetween :: StarField -> RayDifferential -> RayDifferential -> Bool
-starlessBetween (StarField tiers) first final
-  | wide first || wide final = False
-  | otherwise = case (window first, window final) of
-    (Just (Window face u0 u1 v0 v1), Just (Window face' u0' u1' v0' v1'))
-      | face == face',
-        let around = Window face (min u0 u0') (max u1 u1') (min v0 v0') (max v1 v1') ->
-        all (noStar around) tiers
-    _ -> False
+-- | The light of the stars through all beams along a line in the picture, from the first
+-- and the last, whose directions must differ little: 'Nothing' if no star stands there, and
+-- else a shader that does not have to search for them.
+starFieldBetween ::
+  StarField ->
+  RayDifferential ->
+  RayDifferential ->
+  Maybe (Double -> RayDifferential -> Radiance)
+starFieldBetween field@(StarField tiers) first final
+  | wide first || wide final = Just (starFieldRadiance field)
+  | otherwise = case (windows first, windows final) of
+    (Windows (Window face u0 u1 v0 v1) [], Windows (Window face' u0' u1' v0' v1') [])
+      | face == face' ->
+        let around = Window face (min u0 u0') (max u1 u1') (min v0 v0') (max v1 v1')
+         in case foldr (starsWithin around) [] tiers of
+              [] -> Nothing
+              stars -> Just (fewStars stars)
+    _ -> Just (starFieldRadiance field)
   where
-    extent differential = kernelRadius * differentialExtent differential
-    wide differential = not (all (\t -> 2 * extent differential < tierLimit t) tiers)
-    window differential = case lookThrough 1 (extent differential) differential of
-      Look _ _ _ _ found [] -> Just found
-      _ -> Nothing
+    wide differential =
+      not (all (\t -> 2 * kernelRadius * differentialExtent differential < tierLimit t) tiers)
+    -- Between the two, beams may be wider or farther to the side.
+    windows = windowsThrough (1.25 * kernelRadius)
 
--- | Whether no star of a tier stands in a window.
-noStar :: Window -> Tier -> Bool
-noStar (Window face u0 u1 v0 v1) (Tier side _ cells stars _) = rows (face * side + index side v0)
+-- | Adds the stars of a tier in a window to others.
+starsWithin :: Window -> Tier -> [FieldStar] -> [FieldStar]
+starsWithin window@(Window face u0 u1 v0 v1) t others = overWindow t window add others
   where
-    final = face * side + index side v1
-    left = index side u0
-    right = index side u1
-    rows row
-      | row > final = True
-      | otherwise =
-        none (start (row * side + left)) (start (row * side + right + 1)) && rows (row + 1)
-    start i = fromIntegral (U.unsafeIndex cells i) :: Int
-    none i end
-      | i >= end = True
-      | inside = False
-      | otherwise = none (i + 1) end
+    add star@(FieldStar (XYZ x y z) _ _) stars
+      | inside = star : stars
+      | otherwise = stars
       where
-        at k = float2Double (U.unsafeIndex stars (starNumbers * i + k))
         (u, v) = case face `quot` 2 of
-          0 -> (at 1 / abs (at 0), at 2 / abs (at 0))
-          1 -> (at 2 / abs (at 1), at 0 / abs (at 1))
-          _ -> (at 0 / abs (at 2), at 1 / abs (at 2))
+          0 -> (y / abs x, z / abs x)
+          1 -> (z / abs y, x / abs y)
+          _ -> (x / abs z, y / abs z)
         inside = u >= u0 && u <= u1 && v >= v0 && v <= v1
+
+-- | The light of these stars alone through a beam, as 'starFieldRadiance' has it.
+fewStars :: [FieldStar] -> Double -> RayDifferential -> Radiance
+fewStars stars g differential = scaleRadiance (fourth g * weight) (go black stars)
+  where
+    !weight = starWeight differential
+    !look = lookThrough g differential
+    go !light [] = light
+    go !light (star : rest) = go (starThrough look star light) rest
+
+-- | The radiance of a star of flux 1 where its point-spread function is 1; 0 in a
+-- degenerate beam.
+--
+-- On a critical curve of the lens the beam is squeezed into a line, and the first-order
+-- magnification of a star is unbounded. The true value needs more than the Jacobian, and a
+-- wrong one would sparkle. So within about two pixels of the curve, a star is as bright as
+-- it is two pixels away.
+starWeight :: RayDifferential -> Double
+starWeight differential@(RayDifferential _ a b)
+  | area > 1e-9 * breadth = 1 / max area (breadth * min squeezed (4 * sqrt breadth))
+  | otherwise = 0
+  where
+    area = abs (differentialSolidAngle differential)
+    breadth = XYZ.dot a a + XYZ.dot b b
+
+fourth :: Double -> Double
+fourth g = g * g * (g * g)
 
 -- | The ratio of the beam ellipse's axes, shorter to longer, below which its area is no
 -- longer trusted. For fine pixels the limit is lower: at δ pixels from an Einstein ring
@@ -259,44 +275,55 @@ shiftedMixture temperature = \g light@(Radiance r0 g0 b0) ->
           Radiance r' g' b' = tabulatedColour (temperature * x / max 1e-9 (1 - x))
        in [r' / r, g' / g, b' / b]
 
+-- | A beam prepared for all stars: the observed frequency over the star's, the direction,
+-- and the two vectors of 'differentialAxes'.
+data Look = Look !Double {-# UNPACK #-} !XYZ {-# UNPACK #-} !XYZ {-# UNPACK #-} !XYZ
+
+lookThrough :: Double -> RayDifferential -> Look
+lookThrough g differential = Look g (differentialDirection differential) p q
+  where
+    (p, q) = differentialAxes differential
+{-# INLINE lookThrough #-}
+
 -- | The stars of a tier in a beam: the sum of flux times kernel.
---
--- The beam is matched in the argument: a strict pattern of @where@ costs a picture with
--- one ray per pixel 5 % of its time.
-tierPoints :: Look -> Tier -> Radiance
-tierPoints
-  (Look !g (XYZ dx dy dz) (XYZ px py pz) (XYZ qx qy qz) window others)
-  (Tier side _ cells stars _) =
-    case others of
-      [] -> scanWindow window black
-      _ -> foldr scanWindow (scanWindow window black) others
-    where
-      scanWindow (Window face u0 u1 v0 v1) = rows (face * side + index side v0)
-        where
-          !final = face * side + index side v1
-          !left = index side u0
-          !right = index side u1
-          rows !row !light
-            | row > final = light
-            | otherwise =
-              rows
-                (row + 1)
-                (scan (start (row * side + left)) (start (row * side + right + 1)) light)
-      start i = fromIntegral (U.unsafeIndex cells i) :: Int
-      scan :: Int -> Int -> Radiance -> Radiance
-      scan !i !end !light
-        | i >= end = light
-        | abs p >= kernelRadius || abs q >= kernelRadius || dx * x + dy * y + dz * z <= 0 =
-          scan (i + 1) end light
-        | otherwise =
-          let Radiance r' g' b' = tabulatedColour (g * at 4)
-              k = at 3 * pixelKernel p * pixelKernel q
-              Radiance r0 g0 b0 = light
-           in scan (i + 1) end (Radiance (r0 + k * r') (g0 + k * g') (b0 + k * b'))
-        where
-          at k = float2Double (U.unsafeIndex stars (starNumbers * i + k))
-          x = at 0
-          y = at 1
-          z = at 2
-          p = px * x + py * y + pz * z
-          q = qx * x + qy * y + qz * z
+tierPoints :: Look -> Windows -> Tier -> Radiance
+tierPoints !look (Windows window others) t = case others of
+  [] -> inWindow window black
+  _ -> foldr inWindow (inWindow window black) others
+  where
+    inWindow w light = overWindow t w (starThrough look) light
+
+-- | A star's direction, flux and temperature.
+data FieldStar = FieldStar {-# UNPACK #-} !XYZ !Double !Double
+
+-- | Adds a star's flux times kernel to others in a beam.
+starThrough :: Look -> FieldStar -> Radiance -> Radiance
+starThrough (Look g d p q) (FieldStar place flux temperature) light
+  | abs x >= kernelRadius || abs y >= kernelRadius || XYZ.dot d place <= 0 = light
+  | otherwise =
+    light <+> scaleRadiance (flux * pixelKernel x * pixelKernel y) (tabulatedColour (g * temperature))
+  where
+    x = XYZ.dot p place
+    y = XYZ.dot q place
+{-# INLINE starThrough #-}
+
+-- | Applies a function to all stars of a tier in the cells that a window touches, one after
+-- the other.
+overWindow :: Tier -> Window -> (FieldStar -> a -> a) -> a -> a
+overWindow (Tier side _ cells stars _) (Window face u0 u1 v0 v1) add =
+  rows (face * side + index side v0)
+  where
+    !final = face * side + index side v1
+    !left = index side u0
+    !right = index side u1
+    rows !row !found
+      | row > final = found
+      | otherwise =
+        rows (row + 1) (scan (start (row * side + left)) (start (row * side + right + 1)) found)
+    start i = fromIntegral (U.unsafeIndex cells i) :: Int
+    scan !i !end !found
+      | i >= end = found
+      | otherwise = scan (i + 1) end (add (FieldStar (XYZ (at 0) (at 1) (at 2)) (at 3) (at 4)) found)
+      where
+        at k = float2Double (U.unsafeIndex stars (starNumbers * i + k))
+{-# INLINE overWindow #-}

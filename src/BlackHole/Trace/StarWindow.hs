@@ -4,42 +4,34 @@
 -- sphere.
 module BlackHole.Trace.StarWindow
   ( Window (..),
-    Look (..),
-    lookThrough,
+    Windows (..),
+    windowsThrough,
     kernelRadius,
   )
 where
 
 import BlackHole.Trace.RayDifferential
 import BlackHole.Vector.XYZ (XYZ (..))
+import qualified BlackHole.Vector.XYZ as XYZ
 
 -- | Where 'pixelKernel' ends, in pixels.
 kernelRadius :: Double
 kernelRadius = 2.5
-
--- | A beam prepared for all tiers: the observed frequency over the star's, the
--- direction, the two vectors of 'differentialAxes', the window, and the windows on other faces
--- for a beam that extends beyond one.
-data Look
-  = Look
-      !Double
-      {-# UNPACK #-} !XYZ
-      {-# UNPACK #-} !XYZ
-      {-# UNPACK #-} !XYZ
-      {-# UNPACK #-} !Window
-      ![Window]
-  deriving (Show)
 
 -- | A rectangle of a face of the cube: the face's number, and the least and
 -- greatest of its two coordinates, which on the face are −1 … 1.
 data Window = Window !Int !Double !Double !Double !Double
   deriving (Eq, Show)
 
--- | @lookThrough g extent differential@: the beam prepared, with the windows in which to
--- search for its stars: one, or one on each face that the beam reaches. The extent is that
--- of the point-spread function behind it, in radians.
-lookThrough :: Double -> Double -> RayDifferential -> Look
-lookThrough g extent differential@(RayDifferential d@(XYZ dx dy dz) (XYZ jx jy jz) (XYZ kx ky kz))
+-- | One window, and those on other faces for a beam that extends beyond one.
+data Windows = Windows {-# UNPACK #-} !Window ![Window]
+  deriving (Show)
+
+-- | @windowsThrough reach differential@: the windows in which to search for the stars that
+-- stand at most @reach@ pixels in each direction from the middle of a beam: one, or one on
+-- each face that the beam reaches.
+windowsThrough :: Double -> RayDifferential -> Windows
+windowsThrough reach (RayDifferential (XYZ dx dy dz) a@(XYZ jx jy jz) b@(XYZ kx ky kz))
   | ax >= ay && ax >= az =
     onFace (if dx >= 0 then Face 0 1 else Face 1 (-1)) dx dy dz jx jy jz kx ky kz
   | ay >= az = onFace (if dy >= 0 then Face 2 1 else Face 3 (-1)) dy dz dx jy jz jx ky kz kx
@@ -48,14 +40,13 @@ lookThrough g extent differential@(RayDifferential d@(XYZ dx dy dz) (XYZ jx jy j
     !ax = abs dx
     !ay = abs dy
     !az = abs dz
-    !(p, q) = differentialAxes differential
-    -- A star within the kernel lies within this many pixels on the tangent plane, on
-    -- which it is farther out than on the sphere.
-    !radius = kernelRadius * (1 + extent * extent)
+    -- A star lies within this many pixels on the tangent plane, on which it is farther out
+    -- than on the sphere.
+    !radius = reach * (1 + 2 * reach * reach * (XYZ.dot a a + XYZ.dot b b))
     -- The usual beam lies within one face.
     onFace face w u v jw ju jv kw ku kv = case rectangle face w u v jw ju jv kw ku kv of
       Just window@(Window _ u0 u1 v0 v1)
-        | u0 >= -1 && u1 <= 1 && v0 >= -1 && v1 <= 1 -> Look g d p q window []
+        | u0 >= -1 && u1 <= 1 && v0 >= -1 && v1 <= 1 -> Windows window []
       _ -> case [ w'
                   | Just w'@(Window _ u0 u1 v0 v1) <- map bounds faces,
                     u0 <= 1,
@@ -63,8 +54,8 @@ lookThrough g extent differential@(RayDifferential d@(XYZ dx dy dz) (XYZ jx jy j
                     v0 <= 1,
                     v1 >= -1
                 ] of
-        first : others -> Look g d p q first others
-        [] -> Look g d p q (Window 0 1 (-1) 1 (-1)) []
+        first : others -> Windows first others
+        [] -> Windows (Window 0 1 (-1) 1 (-1)) []
     faces = [Face 0 1, Face 1 (-1), Face 2 1, Face 3 (-1), Face 4 1, Face 5 (-1)]
     bounds face@(Face n _)
       | n < 2 = rectangle face dx dy dz jx jy jz kx ky kz

@@ -80,7 +80,7 @@ spec = do
           refinedPixel
             traced
             (kernel (sceneFilter scene))
-            (pixelSpan traced Nothing Nothing 0 row)
+            (pixelSpan traced Nothing Nothing layersAt 0 row)
             layersAt
             column
             row

@@ -46,8 +46,8 @@ spec = do
              <$> environmentMapFromPixels 8 4 (\_ _ -> grey 0.5),
            wide (XYZ 0 1 0)
          ) of
-      (Just (ByDifferential _ shader), differential) ->
-        luminance (shader 2 differential) `shouldBeWithin` (1e-4, 24)
+      (Just (ByDifferential sky), differential) ->
+        luminance (skyThrough sky 2 differential) `shouldBeWithin` (1e-4, 24)
       _ -> expectationFailure "a panorama needs the beam"
   where
     -- Made once, for all the properties' cases.
@@ -66,7 +66,7 @@ spec = do
     shown :: Word64 -> Sky -> Double -> XYZ -> Radiance
     shown seed sky = case skyShader Nothing seed sky of
       Just (ByDirection shader) -> shader
-      Just (ByDifferential _ shader) -> \g d -> shader g (wide d)
+      Just (ByDifferential filtered) -> \g d -> skyThrough filtered g (wide d)
       Nothing -> \_ _ -> Radiance (0 / 0) 0 0
     -- Some hundredths of a radian.
     wide d@(XYZ x y z) =

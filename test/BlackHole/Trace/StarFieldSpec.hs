@@ -18,7 +18,7 @@ import Support.Approx
 import Support.Generators
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
-import Test.QuickCheck (elements, forAll)
+import Test.QuickCheck (conjoin, elements, forAll)
 
 spec :: Spec
 spec = do
@@ -71,18 +71,32 @@ spec = do
   it "looks for stars no farther away than the kernel reaches" $
     -- A larger window costs time and shows in no picture.
     forM_ [1e-4, 0.003, 0.02] $ \width ->
-      lookThrough
-        1
-        (kernelRadius * width)
+      windowsThrough
+        kernelRadius
         (RayDifferential (XYZ 0 0 1) (XYZ width 0 0) (XYZ 0 (0.5 * width) 0))
         `shouldSatisfy` \case
-          Look _ _ _ _ (Window 4 u0 u1 v0 v1) [] ->
+          Windows (Window 4 u0 u1 v0 v1) [] ->
             and
               [ edge >= 1 && edge < 1.06
                 | (end, half) <- [(-u0, width), (u1, width), (-v0, 0.5 * width), (v1, 0.5 * width)],
                   let edge = end / (kernelRadius * half)
               ]
           _ -> False
+  prop "along a line of the picture few stars give the light of all" $
+    \(Direction d) (Direction across) -> forAll ((,) <$> inRange 2e-4 0.006 <*> inRange 0.7 1.4) $
+      \(width, growth) ->
+        -- The beams of nine pixels of a row, which grow along it.
+        let beams = [beam (fromIntegral k) | k <- [0 .. 8 :: Int]]
+            beam k =
+              RayDifferential
+                (unit (d ^+^ (width * (k + (growth - 1) * k * k / 16)) *^ a))
+                ((width * (1 + (growth - 1) * k / 8)) *^ a)
+                (width *^ b)
+            a = unit (XYZ.cross d across)
+            b = XYZ.cross a d
+            seen shader = [luminance (shader 0.8 differential) | differential <- beams]
+            few = maybe (map (const 0) beams) seen (starFieldBetween many (head beams) (last beams))
+         in conjoin (zipWith (\x y -> closeTo (1e-9 * (1 + y)) y x) few (seen (starFieldRadiance many)))
   it
     "on a caustic a star is as bright as in a beam of a sixtieth of the width, or four pixels \
     \from it where that is less"
@@ -100,12 +114,10 @@ spec = do
                   * pixelKernel 0 ^ (2 :: Int) / (width * width * min (1 / 60) (4 * width))
       ]
   it "narrow beams see on average what wide ones see" $ do
-    let many = starField 1 stars
-        average width =
+    let average width =
           sum
             [luminance (starFieldRadiance many 1 (spiralDifferential width i)) | i <- [0 .. 19999]]
             / 20000
-        stars = starCatalogue (Seed 5) 20000
         whole = sum (map (starFlux stars) [0 .. 19999]) / (4 * pi)
     -- The beams at 0.02 rad and those at 0.1 overlap each other.
     average 0.02 `shouldBeWithin` (0.02 * whole, whole)
@@ -134,6 +146,8 @@ spec = do
     -- As few as are all in one tier.
     catalogue = starCatalogue (Seed 5) 400
     hundreds = starField 1 catalogue
+    stars = starCatalogue (Seed 5) 20000
+    many = starField 1 stars
     bySearch differential =
       sum
         [ starFlux catalogue i * pixelKernel (XYZ.dot p s) * pixelKernel (XYZ.dot q s)
@@ -159,11 +173,11 @@ spec = do
         (scale *^ right)
         (scale *^ down)
 
-    pictureFlux stars scale differential =
+    pictureFlux field' scale differential =
       scale * scale
         * sum
           [ luminance
-              (starFieldRadiance stars 1 (differential (XY (fromIntegral i) (fromIntegral j))))
+              (starFieldRadiance field' 1 (differential (XY (fromIntegral i) (fromIntegral j))))
             | i <- [-4 .. 4 :: Int],
               j <- [-4 .. 4 :: Int]
           ]
