@@ -5,8 +5,8 @@
 -- The first rays of a pixel and its neighbours usually suffice ("BlackHole.Trace.Layers").
 -- Where these nine pixels disagree, the pixel gets rays of its own, and twice as many
 -- again and again, until it is certain or has the maximum. Pixels on the edge of the
--- shadow always get the maximum: the third image of the gas is a tenth of a pixel wide,
--- and too many pixels would miss it altogether.
+-- shadow always get the maximum, and those beside it half of that: the third image of the
+-- gas is a tenth of a pixel wide, and too many pixels would miss it altogether.
 module BlackHole.Trace.Adaptive
   ( Pixel (..),
     PixelSpan,
@@ -140,7 +140,7 @@ finished traced !first !column !row seen = case seen of
   Certain light -> Pixel first light
   Uncertain light -> moreSamples traced first light column row
   OnRing ring ->
-    let most = mostSamples (tracerScene traced)
+    let most = ringSamples (tracerScene traced) ring
      in Pixel most (estimatedRadiance (addRingSamples traced ring 0 most noSamples column row))
 {-# INLINE finished #-}
 
@@ -199,7 +199,7 @@ pixelOrigin traced column row
        in Origin (Just light) sky (plain own)
     OnRing ring ->
       Origin Nothing (ringPatch traced ring column row) $
-        map (ringPoint traced ring column row) [0 .. mostSamples scene - 1]
+        map (ringPoint traced ring column row) [0 .. ringSamples scene ring - 1]
   where
     scene = tracerScene traced
     first = firstRays traced column row

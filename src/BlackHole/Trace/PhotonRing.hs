@@ -7,6 +7,7 @@ module BlackHole.Trace.PhotonRing
   ( PhotonRing,
     photonRing,
     photonRingWithin,
+    ringSamples,
     addRingSamples,
     ringPoint,
     ringPatch,
@@ -25,11 +26,12 @@ import BlackHole.Vector.XY (XY (..))
 import GHC.Exts (lazy)
 
 -- | The edge of the shadow where it passes through or beside a pixel: the unit vector
--- across it and out of the shadow, and by how much 'shadowOffset' shrinks per pixel
--- along that vector.
+-- across it and out of the shadow, by how much 'shadowOffset' shrinks per pixel along that
+-- vector, and the edge's distance from the pixel's middle in pixels.
 data PhotonRing
   = PhotonRing
       {-# UNPACK #-} !XY
+      {-# UNPACK #-} !Double
       {-# UNPACK #-} !Double
 
 -- | The edge of the shadow if it passes through or beside the pixel around a point of
@@ -47,7 +49,7 @@ photonRing traced point@(XY x y) = case (tracerMatter traced, tracedOffset trace
           down = below - here
           growth = sqrt (across * across + down * down),
       abs here < 1.5 * (abs across + abs down) ->
-      Just (PhotonRing (XY (negate across / growth) (negate down / growth)) growth)
+      Just (PhotonRing (XY (negate across / growth) (negate down / growth)) growth (abs here / growth))
   _ -> Nothing
   where
     scene = tracerScene traced
@@ -63,6 +65,15 @@ photonRingWithin traced widths point = case tracedOffset traced point of
 -- | 'shadowOffset' of the light path that arrives at a point of the picture.
 tracedOffset :: Tracer -> XY -> Maybe Double
 tracedOffset traced place = tracedSight traced place >>= shadowOffset (tracerPaths traced)
+
+-- | The number of samples of a pixel on the photon ring: 'mostSamples', or half as many
+-- where the filter gives the edge of the shadow little weight.
+ringSamples :: Scene -> PhotonRing -> Int
+ringSamples scene (PhotonRing _ _ away)
+  | away < 0.9 = most
+  | otherwise = max 1 (most `quot` 2)
+  where
+    most = mostSamples scene
 
 -- | @addRingSamples traced ring from to estimate column row@ is 'addSamples' with the
 -- points of 'ringPoint'.
@@ -86,7 +97,7 @@ ringPatch traced ring column row =
 -- | One of the samples of a pixel on the photon ring, by column, row and sample number:
 -- more of them where the images of the gas are thinner.
 ringPoint :: Tracer -> PhotonRing -> Int -> Int -> Int -> Sample
-ringPoint traced (PhotonRing normal growth) =
+ringPoint traced (PhotonRing normal growth _) =
   curveSample
     (sceneFilter scene)
     (sceneSeed scene)
