@@ -44,14 +44,16 @@ data Renderer = Renderer
     rendererRoom :: Format -> Scene -> IO (Maybe String)
   }
 
--- | A scene with one ray per pixel, at a size. The table of light paths shows the paths
--- of the other integrators, and far sooner. One ray through a wide lens would show noise.
+-- | A scene at a size, with as few rays as show it: neighbouring pixels share them, and few
+-- get more. The table of light paths shows the paths of the other integrators, and far
+-- sooner. One ray through a wide lens would show noise.
 movingScene :: Picture -> Scene -> Scene
 movingScene size scene =
   scene
     { scenePicture = size,
       sceneSamples = 1,
-      sceneNoise = 0,
+      sceneNoise = 0.2,
+      sceneMostSamples = 4,
       sceneIntegrator = Tabulated,
       sceneAperture = 0
     }

@@ -189,12 +189,13 @@ finish view memory input scene exposed = do
   forM_ bytes $ \png -> deliver view Finished 1 input (scenePicture scene) png
   pure memory {memoryFinished = Just (scene, exposed)}
 
--- | One ray per pixel, with twice as many rows each time, up to the window's size.
+-- | The sampling of 'movingScene', with twice as many rows each time, up to the window's
+-- size.
 enlarging ::
   View -> Maybe EnvironmentMap -> Maybe Tracer -> Input -> Scene -> Film -> IO Film
 enlarging view sky traced input scene film
   | size == scenePicture scene = pure film
-  -- The final picture itself has one ray per pixel.
+  -- The final picture itself has this sampling.
   | next == scenePicture scene && movingScene next scene == scene = pure (enlarged film next)
   | otherwise = do
     drawn <- drafted (viewRenderer view) sky traced (movingScene next scene)
