@@ -13,6 +13,7 @@ import BlackHole.Render.Exposed (Exposed (..))
 import BlackHole.Render.PixelArray
 import BlackHole.Render.PixelRows (pixelRow)
 import BlackHole.Render.PixelShape
+import BlackHole.Render.Release
 import BlackHole.Render.Shared (mapShared)
 import BlackHole.Render.Workers (Workers)
 import BlackHole.Scene.Camera (Picture (..))
@@ -32,7 +33,6 @@ import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as Vector
 import Data.Vector.Storable.Mutable (IOVector, MVector)
 import qualified Data.Vector.Storable.Mutable as MVector
-import System.Mem (performMajorGC)
 
 -- | @exposeFilm sky workers progress scene (first, rows)@ traces a band of a picture,
 -- given by its first row and its number of rows (at least 1). @sky@ is the environment
@@ -93,7 +93,7 @@ refineRows workers progress traced shape first = do
               (MVector.slice (3 * width * from) (3 * width * count) light)
               (MVector.slice (width * from) (width * count) counts)
             -- The layers are the largest object besides the film.
-            when (from + count < rows) performMajorGC
+            when (from + count < rows) $ release (4 * shapeLength haloShape)
             go (from + count) (Just (haloFirst, layers))
         where
           count = min rowsAtOnce (rows - from)
