@@ -398,7 +398,10 @@ build_or_fail() {
 # program in its place. Call it with the lock.
 build_program() {
   sources=$(program_state) started=$(date +%s)
-  if [ -x "$build/bin/blackhole" ]; then
+  case " $* " in *' test:spec '*) tests=yes ;; *) tests= ;; esac
+  if [ -x "$build/bin/blackhole" ] && [ -n "$tests" ] && [ ! -x "$build/bin/spec" ]; then
+    say 'building the tests (the first time takes about a minute)'
+  elif [ -x "$build/bin/blackhole" ]; then
     say 'building'
   elif [ "$way" != debian ]; then
     say "building with $way (the first time this may fetch and build the libraries: half an hour)"
