@@ -105,7 +105,11 @@ spec = do
               ("tile", plain Tile, plainScene, render ++ ["--tile", "1/1", "-o", "a.tile"]),
               ("tiles as PNG", plain (Joined Png), plainScene, ["join", "a.tile", "-o", "b.png"]),
               ("tiles as JPEG", plain (Joined Jpeg), plainScene, ["join", "a.tile", "-o", "b.jpg"]),
-              ("tiles as OpenEXR", plain (Joined Exr), plainScene, ["join", "a.tile", "-o", "b.exr"]),
+              ( "tiles as OpenEXR",
+                plain (Joined Exr),
+                plainScene,
+                ["join", "a.tile", "-o", "b.exr"]
+              ),
               ("frame", plain (Frame Png), plainScene, film ++ ["a%d.png"]),
               ( "frame in OpenEXR with bloom",
                 plain (Frame Exr),
