@@ -101,17 +101,17 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
             )
         )
     describe ("the program still says what is in " ++ transcript) $
-      forM_ typed $ \(arguments, shown) ->
+      forM_ typed $ \(arguments, expected) ->
         it (unwords arguments) $ \files ->
           withCurrentDirectory files $ do
             let makesPictures =
-                  take 1 arguments == ["animate"] || any (" × " `isInfixOf`) shown
+                  take 1 arguments == ["animate"] || any (" × " `isInfixOf`) expected
                 small
                   | makesPictures = filter (/= "--quiet") (scaled arguments)
                   | otherwise = arguments
             ((_, complaint), printed) <-
               outputOf stdout "printed" (outputOf stderr "said" (run small))
-            map withoutNumbers (filter (/= "…") shown)
+            map withoutNumbers (filter (/= "…") expected)
               `shouldSatisfy` (`isSubsequenceOf` map withoutNumbers (lines (printed ++ complaint)))
   describe "docs/options.md" $ do
     text <- runIO (readFile "docs/options.md")
