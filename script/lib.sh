@@ -271,13 +271,16 @@ install_tool() {
 # forget_old_objects FOLDER: GHC before 9.4 compares times, so it would not recompile a
 # module that changed but is older than its object file. Start from scratch
 # if such a file is among those that changed since the last try, or if the
-# machine or the compiler changed (their lines name no file).
+# machine or the compiler changed (their lines name no file). The live view takes
+# another module of the same name, and the rest stays.
 forget_old_objects() {
   [ -f "$1.state" ] || : >"$1.state"
   state "$1.state" app src backend data test bench >"$1.new"
+  [ "$(grep -c '^with the' "$1.state")" = "$(grep -c '^with the' "$1.new")" ] ||
+    rm -f "$1"/build/BlackHole/Explore/Server.*
   old=$(
     cd "$root" || exit
-    LC_ALL=C grep -vxF -f "$1.state" "$1.new" | sed 's/^[0-9]* [0-9]* //' |
+    LC_ALL=C grep -vxF -f "$1.state" "$1.new" | sed -e '/^with the/d' -e 's/^[0-9]* [0-9]* //' |
       while IFS= read -r changed; do
         [ -n "$(find "$changed" -newer "$1.state" 2>/dev/null)" ] || echo "$changed"
       done
@@ -395,7 +398,10 @@ build_or_fail() {
 # program in its place. Call it with the lock.
 build_program() {
   sources=$(program_state) started=$(date +%s)
-  if [ -x "$build/bin/blackhole" ]; then
+  case " $* " in *' test:spec '*) tests=yes ;; *) tests= ;; esac
+  if [ -x "$build/bin/blackhole" ] && [ -n "$tests" ] && [ ! -x "$build/bin/spec" ]; then
+    say 'building the tests (the first time takes about a minute)'
+  elif [ -x "$build/bin/blackhole" ]; then
     say 'building'
   elif [ "$way" != debian ]; then
     say "building with $way (the first time this may fetch and build the libraries: half an hour)"

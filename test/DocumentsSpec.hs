@@ -15,8 +15,17 @@ import BlackHole.Scene.Preset (defaultScene, presetNames)
 import qualified Codec.Picture as Juicy
 import Control.Applicative ((<|>))
 import Control.Monad (filterM, forM_, unless, when)
-import Data.Char (isAlpha, isSpace, isUpper)
-import Data.List (dropWhileEnd, isInfixOf, isPrefixOf, isSuffixOf, nub, sort, stripPrefix)
+import Data.Char (isAlpha, isDigit, isSpace, isUpper)
+import Data.List
+  ( dropWhileEnd,
+    isInfixOf,
+    isPrefixOf,
+    isSubsequenceOf,
+    isSuffixOf,
+    nub,
+    sort,
+    stripPrefix,
+  )
 import Data.Maybe (fromMaybe, isJust, mapMaybe)
 import GHC.IO.Encoding (setFileSystemEncoding, setLocaleEncoding, utf8)
 import Support.Program (outputOf, quietly, redirecting)
@@ -72,8 +81,11 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
   it "there are many" $ do
     found <- concat <$> mapM (fmap commandLines . readFile) documents
     length found `shouldSatisfy` (>= 40)
+  typed <- runIO (typedCommands <$> readFile transcript)
+  it "the transcript has many commands" $ length typed `shouldSatisfy` (>= 20)
   aroundAll withReadersFiles $ do
-    forM_ documents $ \document ->
+    -- Some of its commands are mistakes.
+    forM_ (filter (/= transcript) documents) $ \document ->
       it ("work in " ++ document) $ \files -> readFile document >>= allWork files . commandLines
     it "work in the program's help" $ \files ->
       allWork
@@ -88,6 +100,19 @@ spec = before_ (setFileSystemEncoding utf8 >> setLocaleEncoding utf8) $ do
                 (topicNames ++ commands)
             )
         )
+    describe ("the program still says what is in " ++ transcript) $
+      forM_ typed $ \(arguments, expected) ->
+        it (unwords arguments) $ \files ->
+          withCurrentDirectory files $ do
+            let makesPictures =
+                  take 1 arguments == ["animate"] || any (" × " `isInfixOf`) expected
+                small
+                  | makesPictures = filter (/= "--quiet") (scaled arguments)
+                  | otherwise = arguments
+            ((_, complaint), printed) <-
+              outputOf stdout "printed" (outputOf stderr "said" (run small))
+            map withoutNumbers (filter (/= "…") expected)
+              `shouldSatisfy` (`isSubsequenceOf` map withoutNumbers (lines (printed ++ complaint)))
   describe "docs/options.md" $ do
     text <- runIO (readFile "docs/options.md")
     let sectionOf name =
@@ -369,6 +394,30 @@ documentFiles = do
           )
     )
 
+-- | The first quarter of an hour, as it went.
+transcript :: FilePath
+transcript = "docs/first-quarter-hour.md"
+
+-- | The program's arguments behind each @$ blackhole@ in the code of a transcript, and the
+-- lines that follow it. A line of dots stands for some that were cut.
+typedCommands :: String -> [([String], [String])]
+typedCommands text = case dropWhile (not . isPrefixOf prompt) (lines text) of
+  line : rest ->
+    let (shown, more) = break (\l -> any (`isPrefixOf` l) ["$ ", "```"]) rest
+     in (drop 2 (words line), filter (/= "") shown) : typedCommands (unlines more)
+  [] -> []
+  where
+    prompt = "$ blackhole "
+
+-- | A line without its numbers, which depend on the machine and on the picture's size, and
+-- with single spaces.
+withoutNumbers :: String -> String
+withoutNumbers = unwords . words . shortened
+  where
+    shortened line = case break isDigit line of
+      (start, _ : rest) -> start ++ '0' : shortened (dropWhile (\c -> isDigit c || c == '.') rest)
+      (start, []) -> start
+
 -- | The program's arguments, and the file that its output goes to.
 data Command = Command [String] (Maybe FilePath)
   deriving (Eq, Show)
@@ -506,6 +555,7 @@ prepare folder = do
   createDirectoryIfMissing True (folder </> "frames")
   forM_
     [ ("mine.yaml", "image: {width: 16}\n"),
+      ("wrong.yaml", "preset: report\nimage: {width: 640}\n\n\ndisk:\n  arms: {cuont: 3}\n"),
       ("big.yaml", "preset: report\n"),
       ("film.yaml", "animation: {frames: 2, camera-path: {kind: orbit}}\n")
     ]

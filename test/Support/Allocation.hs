@@ -7,14 +7,13 @@ where
 
 import Control.Exception (evaluate)
 import Data.Int (Int64)
-import System.Mem (getAllocationCounter, performGC, setAllocationCounter)
+import System.Mem (getAllocationCounter, setAllocationCounter)
 import Test.Hspec (Expectation, pendingWith)
 
 -- | Bytes allocated by this thread while a value is brought to weak head
 -- normal form.
 allocatedBytes :: a -> IO Int64
 allocatedBytes a = do
-  performGC
   setAllocationCounter maxBound
   before <- getAllocationCounter
   _ <- evaluate a

@@ -18,7 +18,7 @@ module BlackHole.Cli.Help
     sections,
 
     -- * Mistakes
-    withSuggestion,
+    plainComplaint,
   )
 where
 
@@ -30,7 +30,7 @@ import BlackHole.Scene.Field.Table (sceneFields)
 import BlackHole.Scene.Problem (suggestion)
 import Data.Char (toLower)
 import Data.List (find, intercalate, isPrefixOf, stripPrefix)
-import Data.Maybe (fromMaybe, listToMaybe, mapMaybe)
+import Data.Maybe (fromMaybe, listToMaybe)
 import Options.Applicative.Common (mapParser)
 import Options.Applicative.Help (unChunk)
 import Options.Applicative.Types
@@ -209,29 +209,41 @@ helpOn commands wanted
   | Just topic <- find ((== name) . map toLower . topicName) [minBound ..] = Right (topicText topic)
   | Just text <- lookup name guides = Right (unlines text)
   | otherwise =
-    Left ("help: '" ++ unwords wanted ++ "' is not a command or a topic" ++ suggestion name known)
+    Left
+      ( "help: '" ++ unwords wanted ++ "' is not a command or a topic"
+          ++ fromMaybe (suggestion name known) (listToMaybe explanations)
+      )
   where
     name = map toLower (unwords wanted)
     known = map commandName commands ++ topicNames
+    -- For the name of an option.
+    explanations =
+      [ "; blackhole help " ++ (if title `elem` topicNames then title else commandName c)
+          ++ " explains --"
+          ++ name
+        | c <- commands,
+          e <- commandEntries c,
+          ("--" ++ name) `elem` entryNames e,
+          let title = map toLower (titleOf e)
+      ]
 
--- | A parser's message, with a suggestion if it is about an unknown option or command,
--- given the options and commands that exist. A short option gets no suggestion: any
--- letter is as near to it as any other.
-withSuggestion :: [String] -> [String] -> String -> String
-withSuggestion options commands complaint = complaint ++ fromMaybe "" hint
+-- | A parser's message in the words of the program's other messages, with a suggestion for
+-- an unknown option or command, given the options and commands that are possible there. A
+-- short option gets no suggestion: any letter is as near to it as any other.
+plainComplaint :: [String] -> [String] -> String -> String
+plainComplaint options commands complaint
+  | Just word <- quoted "Invalid option `" = "'" ++ word ++ "' is not an option" ++ longHint word
+  | Just word <- quoted "Invalid argument `" =
+    if null commands
+      then "unexpected argument '" ++ word ++ "'"
+      else "'" ++ word ++ "' is not a command" ++ suggestion word commands
+  | Just word <- quoted "The option `" = "option " ++ word ++ ": its value is missing"
+  | otherwise = complaint
   where
-    hint =
-      listToMaybe
-        ( mapMaybe
-            meant
-            [("Invalid option `", filter isLong options), ("Invalid argument `", commands)]
-        )
-    meant (start, names) = do
-      rest <- stripPrefix start complaint
-      let word = takeWhile (\c -> c /= '\'' && c /= '=') rest
-      best <-
-        if isLong word
-          then ("--" ++) <$> nearest (drop 2 word) (map (drop 2) names)
-          else if "-" `isPrefixOf` word then Nothing else nearest word names
-      pure (" (did you mean " ++ best ++ "?)")
-    isLong = isPrefixOf "--"
+    quoted start = takeWhile (`notElem` "'`=") <$> stripPrefix start complaint
+    longHint word
+      | "--" `isPrefixOf` word =
+        foldMap
+          (\best -> " (did you mean --" ++ best ++ "?)")
+          (nearest (drop 2 word) [drop 2 o | o <- options, "--" `isPrefixOf` o])
+      | otherwise = ""

@@ -22,7 +22,7 @@ import BlackHole.Cli.SceneCommand (SceneCommand, sceneCommands)
 import BlackHole.Cli.SelfTest (SelfTestOptions, selfTestOptions)
 import BlackHole.Cli.Topics
 import Data.List (dropWhileEnd, find)
-import Data.Maybe (mapMaybe)
+import Data.Maybe (isJust, mapMaybe)
 import Options.Applicative
 import Options.Applicative.Help (unChunk)
 import System.Exit (ExitCode (..))
@@ -81,7 +81,7 @@ parseArguments version given = case given of
       (text, ExitSuccess, _)
         | "--version" `elem` take 1 arguments -> Inform (oneLine text)
         | otherwise -> Inform (maybe (trimmed (overview commandHelps)) helpText chosen)
-      (text, ExitFailure _, _) -> Misused (withSuggestion options commands (oneLine text))
+      (text, ExitFailure _, _) -> Misused (plainComplaint options commands (oneLine text))
   where
     arguments = map presentOption given
     oneLine = unwords . words . maybe "unknown arguments" show . unChunk . helpError
@@ -95,7 +95,9 @@ parseArguments version given = case given of
         | inner@(_ : _) <-
             [second | [first, second] <- map words innerNames, first == outer] ->
           inner
-      _ -> [name | name <- map commandName commandHelps, name `notElem` innerNames]
+      _
+        | isJust chosen -> []
+        | otherwise -> [name | name <- map commandName commandHelps, name `notElem` innerNames]
     options = "--help" : maybe ["--version"] (concatMap entryNames . commandEntries) chosen
 
 -- | Former names of options with the present ones. They are still accepted.

@@ -50,7 +50,8 @@ dispatch arguments
           (line ++ " (see: " ++ unwords ("blackhole help" : named) ++ ")")
       Run command -> runCommand command
   where
-    named = filter (`elem` map commandName commandHelps) (take 1 arguments)
+    -- What help itself cannot find is in the list of all commands and topics.
+    named = filter (`elem` filter (/= "help") (map commandName commandHelps)) (take 1 arguments)
 
 runCommand :: Command -> IO ExitStatus
 runCommand command = case command of

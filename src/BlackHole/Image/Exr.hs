@@ -22,6 +22,7 @@ import BlackHole.Render.Exposed (Film)
 import BlackHole.Render.Layer
 import BlackHole.Render.PixelArray (pixelArrayShape, toPixelVector)
 import BlackHole.Render.PixelShape
+import BlackHole.Render.Release
 import BlackHole.Render.Shared (mapShared)
 import BlackHole.Render.Workers (Workers, workersCount)
 import Data.Bits (complement, shiftL, shiftR, xor, (.&.), (.|.))
@@ -38,7 +39,6 @@ import qualified Data.Vector.Storable as Vector
 import Data.Word (Word16, Word32, Word8)
 import Foreign.Ptr (Ptr)
 import Foreign.Storable (pokeByteOff)
-import System.Mem (performMajorGC)
 
 -- | The precision of the light. Layers always have 32 bits.
 data ExrPrecision
@@ -143,9 +143,7 @@ eachBlock workers precision width height layers rowsOf put = go (blocksOf height
               do
                 done <- mapShared workers (coded first film) group
                 mapM_ put done
-                -- The bands are large and no longer needed, but few, so the collector would
-                -- not notice them in time.
-                performMajorGC
+                release (12 * width * count)
                 go rest
           _ -> pure False
     coded first film (from, to) = do

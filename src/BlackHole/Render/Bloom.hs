@@ -20,6 +20,7 @@ import BlackHole.Render.Exposed (Film, filmRows)
 import BlackHole.Render.PixelArray
 import BlackHole.Render.PixelShape
 import BlackHole.Render.Pyramid
+import BlackHole.Render.Release
 import BlackHole.Render.Workers (Workers)
 import Control.Monad.ST (ST)
 import Data.Maybe (fromMaybe)
@@ -27,7 +28,6 @@ import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as Vector
 import Data.Vector.Storable.Mutable (MVector)
 import qualified Data.Vector.Storable.Mutable as MVector
-import System.Mem (performMajorGC)
 
 -- | @bloomFilm workers strength film@: the film with this part of its light, 0 to
 -- 1, scattered. With 0 it is the film itself. Pixels without a finite radiance
@@ -54,9 +54,8 @@ bloomBands workers strength shape rowsOf
     height = shapeHeight shape
     spread light = do
       glare <- glareOf 1 (coarserAxis (finestAxis width)) (coarserAxis (finestAxis height)) light
-      -- The finer levels' energies are large and of no use any more, but few:
-      -- the collector would not notice them in time.
-      performMajorGC
+      -- The finer levels' energies are of no use any more.
+      release (2 * shapeLength shape)
       pure (withSpread workers shape (1 - scattered * Vector.sum shares) scattered glare rowsOf)
     scattered = realToFrac (min 1 strength) :: Float
     -- The finest level is half the film's size: the scattered part of a film of

@@ -13,6 +13,7 @@ import BlackHole.Render.Exposed (Exposed (..))
 import BlackHole.Render.PixelArray
 import BlackHole.Render.PixelRows (pixelRow)
 import BlackHole.Render.PixelShape
+import BlackHole.Render.Release
 import BlackHole.Render.Shared (mapShared)
 import BlackHole.Render.Workers (Workers)
 import BlackHole.Scene.Camera (Picture (..))
@@ -28,16 +29,16 @@ import Control.Monad (when)
 import Control.Monad.ST (ST)
 import Data.Foldable (for_)
 import Data.Functor.Identity (runIdentity)
+import Data.IORef (newIORef, readIORef, writeIORef)
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as Vector
 import Data.Vector.Storable.Mutable (IOVector, MVector)
 import qualified Data.Vector.Storable.Mutable as MVector
-import System.Mem (performMajorGC)
 
 -- | @exposeFilm sky workers progress scene (first, rows)@ traces a band of a picture,
 -- given by its first row and its number of rows (at least 1). @sky@ is the environment
 -- map, for a scene that has one ('BlackHole.Trace.Sky.neededPicture'). @progress@ is
--- called with the number of finished rows. The numbers equal those of the same rows of
+-- called with increasing numbers of finished rows. The numbers equal those of the same rows of
 -- any other band, for any number of workers. 'Nothing' if the scene is not valid or lacks
 -- its map, or if the picture has no such rows.
 exposeFilm ::
@@ -60,7 +61,7 @@ exposeTraced traced workers progress (first, rows)
     Just shape -> do
       _ <- mapShared workers pure (tracerTables traced)
       if isAdaptive scene
-        then refineRows workers progress traced shape first
+        then increasing progress >>= \grown -> refineRows workers grown traced shape first
         else
           Just . (`Exposed` Nothing)
             <$> generateRows workers progress shape (traceRow traced width . (first +))
@@ -93,7 +94,7 @@ refineRows workers progress traced shape first = do
               (MVector.slice (3 * width * from) (3 * width * count) light)
               (MVector.slice (width * from) (width * count) counts)
             -- The layers are the largest object besides the film.
-            when (from + count < rows) performMajorGC
+            when (from + count < rows) $ release (4 * shapeLength haloShape)
             go (from + count) (Just (haloFirst, layers))
         where
           count = min rowsAtOnce (rows - from)
@@ -110,6 +111,15 @@ refineRows workers progress traced shape first = do
     exposed light counts = do
       countShape <- pixelShape width rows 1
       Exposed <$> fromPixelVector shape light <*> (Just <$> fromPixelVector countShape counts)
+
+-- | A report that is passed on if its number exceeds those before, and 0. A row that
+-- counts half twice would repeat numbers.
+increasing :: (Int -> IO ()) -> IO (Int -> IO ())
+increasing report = do
+  reported <- newIORef 0
+  pure $ \n -> do
+    before <- readIORef reported
+    when (n > before) $ writeIORef reported n >> report n
 
 -- | The number of rows that are refined at a time. It is a compromise: workers seldom wait
 -- for each other, and the layers need little memory in a large picture.

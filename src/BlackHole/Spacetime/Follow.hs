@@ -8,7 +8,7 @@ module BlackHole.Spacetime.Follow
   ( Tracing (..),
     Method (..),
     tracing,
-    tracingNeedsTable,
+    tracingTables,
     tracingServes,
     follow,
     pathFate,
@@ -79,12 +79,11 @@ tracingServes (Tracing space _ _ _ before@(XYZ _ height _)) place@(XYZ _ height'
   where
     sameDistance = abs (XYZ.norm place - XYZ.norm before) <= 1e-12 * XYZ.norm place
 
--- | Whether light is followed by the table of paths.
-tracingNeedsTable :: Tracing -> Bool
-tracingNeedsTable traced = case (tracingMethod traced, tracingSpacetime traced) of
-  (_, Kerr _) -> False
-  (ByTable, _) -> True
-  _ -> False
+-- | The table that light is followed by, if any, for evaluation in advance.
+tracingTables :: Tracing -> [()]
+tracingTables traced = case (tracingMethod traced, tracingSpacetime traced) of
+  (ByTable, Schwarzschild) -> [seq (lensTableSize (tracingTable traced)) ()]
+  _ -> []
 
 -- | @follow tracing region phase sight gather state@ follows a line of sight to its end
 -- and passes the segments inside the region to the gathering function. The phase, 0 to

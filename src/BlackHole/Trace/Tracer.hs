@@ -150,9 +150,7 @@ tracerAfter earlier picture scene = reusing <$> tracerWithSky picture scene
 tracerTables :: Tracer -> [()]
 tracerTables traced =
   [seq (tracerMatter traced) (), seq (tracerSky traced) ()]
-    ++ [seq (tracingTable paths) () | tracingNeedsTable paths]
-  where
-    paths = tracerPaths traced
+    ++ tracingTables (tracerPaths traced)
 
 -- | The angle in radians that a pixel in the middle of the picture spans.
 pixelWidth :: Scene -> Double

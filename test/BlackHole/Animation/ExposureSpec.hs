@@ -46,7 +46,8 @@ spec = do
         Nothing
         oneWorker
         (\part -> modifyIORef parts (part :))
-        (turned 0 :| [turned 5])
+        -- Rows that take long enough for a report of each.
+        ((turned 0) {scenePicture = Picture 320 9} :| [(turned 5) {scenePicture = Picture 320 9}])
         (0, 9)
     told <- readIORef parts
     (take 1 told, and (zipWith (>) told (drop 1 told))) `shouldBe` ([1], True)

@@ -93,6 +93,19 @@ spec = do
     meant ["rnder"] "render"
     meant ["help", "camra"] "camera"
     meant ["render", "--observer", "statik"] "static"
+  describe "mistakes are said in plain words" $ do
+    says ["render", "--widht", "3"] "'--widht' is not an option (did you mean --width?)"
+    says ["render", "-w", "3"] "'-w' is not an option"
+    says ["render", "--width"] "option --width: its value is missing"
+    says ["render", "a.yaml", "b.yaml"] "unexpected argument 'b.yaml'"
+    says ["rendr"] "'rendr' is not a command (did you mean render?)"
+    says ["help", "nothing"] "help: 'nothing' is not a command or a topic"
+    says
+      ["help", "spin"]
+      "help: 'spin' is not a command or a topic; blackhole help observer explains --spin"
+    says
+      ["help", "shutter"]
+      "help: 'shutter' is not a command or a topic; blackhole help animate explains --shutter"
   it "the manual page in docs is the one that the program prints" $ do
     page <- readFile "docs/blackhole.1"
     lines page `shouldBe` lines (text ["help", "man"])
@@ -133,6 +146,8 @@ spec = do
       it ("of " ++ unwords arguments ++ " are told with " ++ best) $
         show (parseArguments "v" arguments)
           `shouldSatisfy` isInfixOf ("did you mean " ++ best ++ "?")
+    says arguments line =
+      it (unwords arguments) $ parseArguments "v" arguments `shouldBe` Misused line
     completes arguments word =
       it ("completes " ++ unwords arguments) $ do
         let asked =

@@ -44,8 +44,8 @@ spec = do
       writeFile
         (folder </> "film.yaml")
         ( "image: {width: " ++ show width ++ ", height: " ++ show height
-            ++ "}\ndisk: {present: off}\nsky: {kind: uniform}\nsampling: {samples: 1}\noutput: \
-               \{bloom: 0}\nanimation: {frames: 1}\n"
+            ++ "}\nphysics: {gravity: off}\ndisk: {present: off}\nsky: {kind: uniform}\n\
+               \sampling: {samples: 1, noise: 0}\noutput: {bloom: 0}\nanimation: {frames: 1}\n"
         )
       found <- findExecutable "blackhole"
       case found of
@@ -60,6 +60,9 @@ spec = do
                   show height,
                   "--samples",
                   "1",
+                  "--noise",
+                  "0",
+                  "--no-gravity",
                   "--no-disk",
                   "--sky",
                   "uniform",
@@ -68,50 +71,60 @@ spec = do
                   "--quiet"
                 ]
               film = ["animate", "film.yaml", "-o"]
-              check (name, making, bloom, arguments) = do
+              plainScene =
+                defaultScene {scenePicture = Picture width height, sceneBloom = 0, sceneNoise = 0}
+              check (name, making, scene, arguments) = do
                 peak <- taken arguments
-                let scene = defaultScene {scenePicture = Picture width height, sceneBloom = bloom}
-                    estimate = pictureMemory making scene height
+                let estimate = pictureMemory making scene height
                 (name, peak) `shouldSatisfy` maybe True (<= estimate) . snd
                 (name, estimate) `shouldSatisfy` (>= 12 * toInteger (width * height)) . snd
               plain product' = Making product' False False
           forM_
-            [ ("PNG", plain (WholePicture Png), 0, render ++ ["-o", "a.png"]),
+            [ ("PNG", plain (WholePicture Png), plainScene, render ++ ["-o", "a.png"]),
               ( "PNG with bloom",
                 plain (WholePicture Png),
-                0.1,
+                plainScene {sceneBloom = 0.1},
                 render ++ ["--bloom", "0.1", "-o", "a.png"]
               ),
-              ("JPEG", plain (WholePicture Jpeg), 0, render ++ ["-o", "a.jpg"]),
+              ( "PNG with adaptive sampling",
+                plain (WholePicture Png),
+                plainScene {sceneNoise = 0.02},
+                render ++ ["--noise", "0.02", "-o", "a.png"]
+              ),
+              ("JPEG", plain (WholePicture Jpeg), plainScene, render ++ ["-o", "a.jpg"]),
               ( "OpenEXR in 32 bits",
                 plain (WholePicture Exr),
-                0,
+                plainScene,
                 render ++ ["--bits", "32", "-o", "a.exr"]
               ),
               ( "PNG that is kept when interrupted",
                 Making (WholePicture Png) False True,
-                0,
+                plainScene,
                 render ++ ["--keep-partial", "-o", "a.png"]
               ),
-              ("tile", plain Tile, 0, render ++ ["--tile", "1/1", "-o", "a.tile"]),
-              ("tiles as PNG", plain (Joined Png), 0, ["join", "a.tile", "-o", "b.png"]),
-              ("tiles as JPEG", plain (Joined Jpeg), 0, ["join", "a.tile", "-o", "b.jpg"]),
-              ("tiles as OpenEXR", plain (Joined Exr), 0, ["join", "a.tile", "-o", "b.exr"]),
-              ("frame", plain (Frame Png), 0, film ++ ["a%d.png"]),
+              ("tile", plain Tile, plainScene, render ++ ["--tile", "1/1", "-o", "a.tile"]),
+              ("tiles as PNG", plain (Joined Png), plainScene, ["join", "a.tile", "-o", "b.png"]),
+              ("tiles as JPEG", plain (Joined Jpeg), plainScene, ["join", "a.tile", "-o", "b.jpg"]),
+              ( "tiles as OpenEXR",
+                plain (Joined Exr),
+                plainScene,
+                ["join", "a.tile", "-o", "b.exr"]
+              ),
+              ("frame", plain (Frame Png), plainScene, film ++ ["a%d.png"]),
               ( "frame in OpenEXR with bloom",
                 plain (Frame Exr),
-                0.1,
+                plainScene {sceneBloom = 0.1},
                 film ++ ["b%d.exr", "--bloom", "0.1"]
               ),
               ( "frame with motion blur",
                 Making (Frame Png) True False,
-                0,
+                plainScene,
                 film ++ ["c%d.png", "--shutter", "0.5", "--shutter-samples", "3"]
               )
             ]
             check
   where
-    (width, height) = (2000, 1000)
+    (width, height) = (1500, 1000)
 
 -- | The most memory in bytes that the program has had, as Linux tells while it runs.
 peakOf :: FilePath -> FilePath -> [String] -> IO (Maybe Integer)

@@ -23,7 +23,7 @@ spec =
                 "--samples",
                 "1",
                 "--sky",
-                "none",
+                "uniform",
                 "--no-disk",
                 "--integrator",
                 "exact",

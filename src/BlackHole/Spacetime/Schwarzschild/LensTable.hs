@@ -44,9 +44,10 @@ import GHC.Float (castDoubleToWord64)
 -- | The tabulated paths through a point.
 data LensTable = LensTable
   { tableFamily :: {-# UNPACK #-} !Family,
-    -- | For each block, the index of its first row and the number of its cells.
-    tableBlocks :: !(PrimArray Int),
-    tableNumbers :: !(PrimArray Double)
+    -- | For each block, the index of its first row and the number of its cells. Lazy, like
+    -- the numbers: flat space and the edge of the shadow need the family alone.
+    tableBlocks :: PrimArray Int,
+    tableNumbers :: PrimArray Double
   }
 
 -- | The table of a point at the distance r > 0 from the hole, in Schwarzschild radii.
