@@ -74,7 +74,7 @@ metric hole r c =
 gasInPlane :: Spin -> Double -> (Double, Double)
 gasInPlane hole r
   | r >= isco = (circular r, 0)
-  | otherwise = (rate, negate (sqrt (max 0 (1 - past * past - lapse * lapse * slow))))
+  | otherwise = (rate, negate (sqrt (max 0 (1 - past * past - slow / (lapse * lapse)))))
   where
     a = spinLength hole
     isco = iscoRadius RightHanded hole
