@@ -195,9 +195,12 @@ described =
     describe
       "photon"
       "Report on one light path."
-      "The path is that of light from infinity (--impact), or the line of sight of a camera at \
-      \rest (--psi). The report gives lengths in Schwarzschild radii (r_s) and angles in radians."
-      ["blackhole photon --psi 10", "blackhole photon --impact 2.65 --json"]
+      "The path is that of light from infinity (--impact), or the line of sight of a camera \
+      \(--psi). The report gives lengths in Schwarzschild radii (r_s) and angles in radians."
+      [ "blackhole photon --psi 10",
+        "blackhole photon --impact 2.65 --json",
+        "blackhole photon --spin 0.9 --observer falling --distance 3 --psi 60"
+      ]
       (Task . Photon <$> photonOptions),
     describe
       "rays"

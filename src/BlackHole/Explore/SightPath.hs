@@ -6,7 +6,7 @@ where
 
 import BlackHole.Matter.KerrReport
 import BlackHole.Scene.Scene
-import BlackHole.Spacetime.Kerr.Sight (Azimuth (..))
+import BlackHole.Spacetime.Follow (Method (InClosedForm))
 import BlackHole.Spacetime.Observer
 import BlackHole.Spacetime.Photon
 import BlackHole.Spacetime.Schwarzschild.Trajectory
@@ -24,7 +24,9 @@ sightPath :: Tracer -> Double -> XY -> [XYZ]
 sightPath traced drawn point = thinned $ case tracedSight traced point of
   Nothing -> []
   Just (RotatingSight hole azimuth ray) ->
-    [turnedTo azimuth place | KerrPathPoint _ place <- kerrReportPath (kerrReport hole drawn ray)]
+    [ place
+      | KerrPathPoint _ place <- kerrReportPath (kerrReport InClosedForm hole drawn azimuth ray)
+    ]
   Just (SightLine photon observed)
     | sceneSpacetime (tracerScene traced) == Flat -> straight photon
     | otherwise ->
@@ -40,13 +42,3 @@ sightPath traced drawn point = thinned $ case tracedSight traced point of
     thinned points = case length points of
       n | n > 1000 -> [p | (k, p) <- zip [0 ..] points, k `rem` (1 + n `quot` 1000) == (0 :: Int)]
       _ -> points
-
--- | From an observer at azimuth 90°, which is 0 here, to the one at this azimuth.
-turnedTo :: Azimuth -> XYZ -> XYZ
-turnedTo azimuth (XYZ x y z) = XYZ (c * x + s * z) y (c * z - s * x)
-  where
-    c = cos phi
-    s = sin phi
-    phi = case azimuth of
-      BoyerLindquist at -> at
-      Ingoing at -> at

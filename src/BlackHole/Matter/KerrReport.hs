@@ -44,14 +44,16 @@ data KerrReport = KerrReport
 data KerrPathPoint = KerrPathPoint !Double !XYZ
   deriving (Eq, Show)
 
--- | @kerrReport hole drawn ray@: the report on the path of a ray whose observer stands at
--- azimuth 90°, on the side of @+z@, with the path drawn out to a radius (or to the
--- observer, if that is farther). The points are at most a fiftieth of their radius
--- apart, and at most 100 000.
-kerrReport :: Spin -> Double -> LightRay -> KerrReport
-kerrReport hole drawn ray =
+-- | @kerrReport method hole drawn azimuth ray@: the report on the path of a ray from an
+-- observer at an azimuth, with the path drawn out to a radius (or to the observer, if that
+-- is farther), in the ingoing azimuth if that of the observer is one. The points are at
+-- most a fiftieth of their radius apart, and at most 100 000. The method is 'InClosedForm',
+-- or 'ByTable' for what the renderer takes from its table and from the closed form with
+-- the precision of pictures.
+kerrReport :: Method -> Spin -> Double -> Azimuth -> LightRay -> KerrReport
+kerrReport method hole drawn azimuth ray =
   KerrReport
-    { kerrReportFate = kerrFate path,
+    { kerrReportFate = pathFate traced sight,
       kerrReportLambda = rayLambda ray,
       kerrReportCarter = rayEta ray,
       kerrReportMinoTime = kerrMinoTime path,
@@ -62,12 +64,20 @@ kerrReport hole drawn ray =
             Just shift <- [crossingRedshift (gasFlow (Kerr hole)) sight crossing]
         ],
       kerrReportPath =
-        [KerrPathPoint time (placed (kerrPoint path time)) | time <- take 100000 (times 0)]
+        [KerrPathPoint time (placed lead (kerrPoint path time)) | time <- take 100000 (times 0)]
     }
   where
-    path = kerrPath hole (BoyerLindquist 0) ray
-    traced = tracing (Kerr hole) InClosedForm (XYZ (rayRadius ray) 0 0)
-    sight = RotatingSight hole (BoyerLindquist 0) ray
+    path = rotatingPath traced hole azimuth ray
+    traced =
+      tracing
+        (Kerr hole)
+        method
+        (XYZ 0 (rayRadius ray * rayCosine ray) (rayRadius ray * raySine ray))
+    sight = RotatingSight hole azimuth ray
+    -- The path of light to a falling observer is smooth in the ingoing azimuth.
+    lead r = case azimuth of
+      Ingoing _ | r > horizonRadius hole -> ingoingLead hole r
+      _ -> 0
     limit = max drawn (rayRadius ray)
     momentum2 = abs (rayEta ray) + rayLambda ray * rayLambda ray
     times time
@@ -87,10 +97,11 @@ kerrReport hole drawn ray =
         (\t -> let point = kerrPoint path t in not (pointGrows point) || pointRadius point < radius)
         0
 
-placed :: KerrPoint -> XYZ
-placed point = XYZ (r * s * sin phi) (r * c) (r * s * cos phi)
+-- | A point, with its azimuth advanced by a function of the radius.
+placed :: (Double -> Double) -> KerrPoint -> XYZ
+placed lead point = XYZ (r * s * sin phi) (r * c) (r * s * cos phi)
   where
     r = pointRadius point
     c = pointCosine point
     s = sqrt (max 0 ((1 - c) * (1 + c)))
-    phi = pointAzimuth point
+    phi = pointAzimuth point + lead r

@@ -280,7 +280,7 @@ reportDifference a b =
       differenceSweptAngle = sameEnd (by reportSweptAngle),
       differenceDeflection = by reportDeflection,
       differenceClosestApproach = by reportClosestApproach,
-      differenceCrossings = zipWith crossing (reportCrossings a) (reportCrossings b),
+      differenceCrossings = zipWith crossingDifference (reportCrossings a) (reportCrossings b),
       differenceAngularMomentumDrift = by reportAngularMomentumDrift,
       differenceEnergyDrift = by reportEnergyDrift
     }
@@ -288,5 +288,3 @@ reportDifference a b =
     by field = (-) <$> field a <*> field b
     -- The angle to infinity and the angle to the horizon cannot be compared.
     sameEnd value = if void (reportFate a) == void (reportFate b) then value else Nothing
-    crossing (PlaneCrossing r azimuth g) (PlaneCrossing r' azimuth' g') =
-      PlaneCrossing (r - r') (wrappedAngle (azimuth - azimuth')) (g - g')

@@ -9,6 +9,7 @@ import BlackHole.Matter.KerrReport
 import BlackHole.Matter.ThinDisk
 import BlackHole.SelfTest.Check
 import BlackHole.Spacetime.Fate
+import BlackHole.Spacetime.Follow (Method (InClosedForm))
 import BlackHole.Spacetime.Kerr.Landmarks
 import BlackHole.Spacetime.Kerr.Shadow
 import BlackHole.Spacetime.Kerr.Sight
@@ -105,7 +106,7 @@ rayChecks =
   ]
   where
     along value = withSpin 0.999 $ \hole ->
-      maybe notANumber (value . kerrReport hole 100) $
+      maybe notANumber (value . kerrReport InClosedForm hole 100 (BoyerLindquist 0)) $
         lightRay
           hole
           (Place 2 (pi / 6))

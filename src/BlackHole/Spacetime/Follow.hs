@@ -12,6 +12,7 @@ module BlackHole.Spacetime.Follow
     tracingServes,
     follow,
     pathFate,
+    rotatingPath,
     planeCrossings,
     pathDeflection,
     skyJacobian,
@@ -95,10 +96,7 @@ follow ::
   Tracing -> Region -> Double -> SightLine -> (a -> PathSegment -> Continue a) -> a -> Followed a
 follow traced@(Tracing space method table _ _) region phase sight gather initial = case sight of
   RotatingSight hole azimuth ray ->
-    let path = kerrPathWith precision hole azimuth ray
-        precision = case method of
-          ByTable -> PicturePrecision
-          _ -> FullPrecision
+    let path = rotatingPath traced hole azimuth ray
      in followKerr hole region phase path (rotatingFate traced path azimuth ray) ray gather initial
   SightLine photon _ -> case method of
     ByTable -> followTable space table region phase photon gather initial
@@ -112,6 +110,13 @@ pathFate traced sight = case (sight, tracingMethod traced) of
   (RotatingSight hole azimuth ray, _) -> rotatingFate traced (kerrPath hole azimuth ray) azimuth ray
   (SightLine photon _, ByTable) -> tableFate (tracingSpacetime traced) (tracingTable traced) photon
   _ -> followedFate (follow traced emptyRegion 0 sight (\() _ -> Continue ()) ())
+
+-- | The closed form of a path around a rotating hole, as exact as the method asks for.
+rotatingPath :: Tracing -> Spin -> Azimuth -> LightRay -> KerrPath
+rotatingPath traced = kerrPathWith $ case tracingMethod traced of
+  ByTable -> PicturePrecision
+  _ -> FullPrecision
+{-# INLINE rotatingPath #-}
 
 -- | The end of a path around a rotating hole, from the table where it applies.
 rotatingFate :: Tracing -> KerrPath -> Azimuth -> LightRay -> Fate XYZ
@@ -129,7 +134,7 @@ rotatingFate traced path azimuth ray =
 planeCrossings :: Tracing -> SightLine -> [PlaneCrossing (Maybe Momentum)]
 planeCrossings traced sight = case sight of
   RotatingSight hole azimuth ray ->
-    map (rotatingCrossing hole ray) (kerrPlanePoints (kerrPath hole azimuth ray))
+    map (rotatingCrossing hole ray) (kerrPlanePoints (rotatingPath traced hole azimuth ray))
   SightLine photon observed ->
     maybe
       (leapfrogCrossings traced sight photon)

@@ -12,6 +12,7 @@ module BlackHole.Spacetime.Observer
     observerName,
     observerRange,
     observerExists,
+    kerrMotion,
     frequencyAtRest,
     SightLine (..),
     sightFrequency,

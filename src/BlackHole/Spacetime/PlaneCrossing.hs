@@ -6,6 +6,7 @@ module BlackHole.Spacetime.PlaneCrossing
     crossingOf,
     planeAzimuth,
     wrappedAngle,
+    crossingDifference,
   )
 where
 
@@ -51,3 +52,8 @@ wrappedAngle angle
   | angle > pi = angle - 2 * pi
   | angle <= -pi = angle + 2 * pi
   | otherwise = angle
+
+-- | The differences of radius, azimuth and shift between two crossings.
+crossingDifference :: PlaneCrossing Double -> PlaneCrossing Double -> PlaneCrossing Double
+crossingDifference (PlaneCrossing r azimuth g) (PlaneCrossing r' azimuth' g') =
+  PlaneCrossing (r - r') (wrappedAngle (azimuth - azimuth')) (g - g')

@@ -10,6 +10,7 @@ import Data.Maybe (mapMaybe)
 import Options.Applicative
 import Support.Approx
 import Support.Json
+import Support.KerrReference (kerrRows)
 import Test.Hspec
 import Text.Read (readMaybe)
 
@@ -74,6 +75,10 @@ spec = do
             (`shouldBeWithin` (1e-12, 0.95444088919855479))
             (numberAt ["g"] first)
         other -> expectationFailure (show other)
+    it "follows light to observers in motion: 34-digit values" $ do
+      rows <- kerrRows "kerr-observers.csv"
+      length rows `shouldSatisfy` (> 10)
+      mapM_ observes rows
     it "has the same keys without spin as with a spin of 0" $
       fmap keys (json (camera ++ ["--spin", "0"])) `shouldReturn` reportKeys
     it "sets the leapfrog's values beside the exact ones and the errors" $ do
@@ -185,7 +190,38 @@ spec = do
               numberAt ["error", "sweptAngle"] report `shouldBe` Just 0
         )
         ["0", "180"]
+    it "follows light around a rotating hole, within its error" $
+      mapM_
+        ( \arguments -> do
+            report <- json (arguments ++ ["--integrator", "table"])
+            case numberAt ["error", "escapeDirection"] report of
+              Just missed -> missed `shouldSatisfy` (\angle -> angle > 0 && angle < 1e-6)
+              Nothing -> expectationFailure "no direction"
+            case member "error" report >>= member "crossings" of
+              Just (List crossings@(_ : _)) ->
+                mapM_
+                  (maybe (pure ()) (`shouldBeWithin` (1e-5, 0)) . numberAt ["r"])
+                  crossings
+              other -> expectationFailure (show other)
+        )
+        [turning, turning ++ ["--observer", "orbiting"], turning ++ ["--observer", "falling"]]
   describe "--path" $ do
+    it "leads from an observer inside the horizon to where the light comes from" $ do
+      let inside =
+            words "--spin 0.9 --observer falling --distance 0.6 --inclination 60 --psi 110 --eta 20"
+      points <- mapMaybe (mapM readMaybe . fields) . lines . Lazy.unpack <$> csv inside
+      direction <- member "escapeDirection" <$> json inside
+      let places = [(x, y, z) | [_, _, x, y, z] <- points] :: [(Double, Double, Double)]
+          apart (x, y, z) (x', y', z') =
+            sqrt ((x - x') * (x - x') + (y - y') * (y - y') + (z - z') * (z - z'))
+          size = apart (0, 0, 0)
+      case (places, direction) of
+        (first : _, Just (List [Number dx, Number dy, Number dz])) -> do
+          apart first (0, 0.6 * cos (pi / 3), 0.6 * sin (pi / 3)) `shouldSatisfy` (< 1e-9)
+          zipWith (\p q -> apart p q / size p) places (drop 1 places) `shouldSatisfy` all (< 0.1)
+          let end@(x, y, z) = last places
+          apart (x / size end, y / size end, z / size end) (dx, dy, dz) `shouldSatisfy` (< 0.03)
+        other -> expectationFailure (show other)
     it "is a table of angles and places, from start to end" $ do
       rows <- lines . Lazy.unpack <$> csv camera
       take 1 rows `shouldBe` ["swept_angle_rad,r,x,y,z"]
@@ -235,9 +271,27 @@ spec = do
     refuses
       ["--spin", "0.9", "--impact", "3"]
       [ ( "--impact",
-          "applies only without --spin; a path around a rotating hole has no impact parameter"
+          "applies only without --spin, where every path lies in a plane"
         )
       ]
+    refuses
+      ["--spin", "0.9", "--psi", "3", "--integrator", "leapfrog"]
+      [ ( "--integrator",
+          "leapfrog applies only without --spin, where every path lies in a plane"
+        )
+      ]
+    refuses
+      ["--observer", "zamo", "--impact", "3"]
+      [("--impact", "applies only to an observer at rest (--observer static)")]
+    refuses
+      (words "--spin 0.9 --psi 5 --distance 0.5 --observer zamo")
+      [("--distance", "0.5")]
+    refuses
+      (words "--spin 0.9 --psi 5 --distance 0.75 --observer orbiting --inclination 90")
+      [("--distance", "0.75")]
+    refuses
+      (words "--spin 0.9 --psi 5 --distance 0.5 --observer falling")
+      [("--psi", "5")]
     refuses ["--spin", "0.9"] [("--psi", "missing; give --psi DEGREES for a line of sight")]
     refuses
       ["--spin", "0.9", "--psi", "5", "--distance", "0.9", "--inclination", "90"]
@@ -253,6 +307,34 @@ spec = do
   where
     turning =
       ["--spin", "0.9", "--distance", "30", "--inclination", "82", "--psi", "5.5", "--eta", "-90"]
+    observes cells' = case cells' of
+      observer : s : r : i : psi : eta : nu : lambda : q : fate : direction -> do
+        report <-
+          json
+            [ "--observer=" ++ observer,
+              "--spin=" ++ s,
+              "--distance=" ++ r,
+              "--inclination=" ++ i,
+              "--psi=" ++ psi,
+              "--eta=" ++ eta
+            ]
+        member "fate" report `shouldBe` Just (Text fate)
+        mapM_
+          ( \(key, known) -> case (numberAt [key] report, readMaybe known) of
+              (Just found, Just reference) ->
+                found `shouldBeWithin` (1e-12 * abs reference, reference)
+              other -> expectationFailure (show other)
+          )
+          [("frequency", nu), ("lambda", lambda), ("carterQ", q)]
+        case (member "escapeDirection" report, mapM readMaybe direction) of
+          (Just (List found), Just reference) ->
+            sequence_
+              [ component `shouldBeWithin` (1e-13, known)
+                | (Number component, known) <- zip found reference
+              ]
+          (Just Null, Nothing) -> pure ()
+          other -> expectationFailure (show other)
+      _ -> expectationFailure "no row"
     camera = ["--distance", "20", "--inclination", "80", "--psi", "10", "--eta", "-90"]
     reportKeys =
       [ "fate",

@@ -2,6 +2,7 @@ module BlackHole.Matter.KerrReportSpec (spec) where
 
 import BlackHole.Matter.KerrReport
 import BlackHole.Spacetime.Fate
+import BlackHole.Spacetime.Follow (Method (InClosedForm))
 import BlackHole.Spacetime.Kerr.Landmarks
 import BlackHole.Spacetime.Kerr.Sight
 import BlackHole.Spacetime.PlaneCrossing (PlaneCrossing (PlaneCrossing))
@@ -43,14 +44,18 @@ spec = do
   where
     reportOf row =
       kerrReport
+        InClosedForm
         (raySpin row)
         100
+        (BoyerLindquist 0)
         ( fromMaybe
             (error (rayName row))
             (lightRay (raySpin row) (rayPlace row) (rayMotion row) (rayDirection row))
         )
     reportAlong s r theta direction =
       kerrReport
+        InClosedForm
         (spinOf s)
         100
+        (BoyerLindquist 0)
         (fromMaybe (error "dark") (lightRay (spinOf s) (Place r theta) AtRest direction))

@@ -14,8 +14,10 @@ import BlackHole.Cli.Read
 import BlackHole.Numeric.Angle
 import BlackHole.Scene.Problem (Problem (..))
 import BlackHole.Scene.Scene (Integrator (..), integratorName)
-import BlackHole.Spacetime.Kerr.Landmarks (Spin, ergosphereRadius, spin)
+import qualified BlackHole.Spacetime.Follow as Follow
+import BlackHole.Spacetime.Kerr.Landmarks (Spin, ergosphereRadius, horizonRadius, spin)
 import BlackHole.Spacetime.Kerr.Sight
+import BlackHole.Spacetime.Observer (Observer (..), kerrMotion, observerName)
 import BlackHole.Spacetime.Schwarzschild.StepRule (StepRule (..), reportStepRule)
 import BlackHole.Spacetime.Schwarzschild.Trajectory
 import Data.Maybe (fromMaybe)
@@ -27,6 +29,7 @@ data PhotonOptions = PhotonOptions
     photonDistance :: !(Maybe Double),
     photonInclination :: !(Maybe Double),
     photonSpin :: !(Maybe Double),
+    photonObserver :: !Observer,
     photonPsi :: !(Maybe Double),
     photonEta :: !(Maybe Double),
     photonIntegrator :: !Integrator,
@@ -80,6 +83,16 @@ photonOptions =
                 "Spin of the hole, from -1 to 1, positive if it turns with the disk (default: 0)"
           )
       )
+    <*> settingOr
+      Static
+      ( option
+          (named "an observer" [(observerName o, o) | o <- movements])
+          ( long "observer" <> metavar "NAME" <> completeWith (map observerName movements)
+              <> help
+                "Motion of the observer with --psi: static, zamo, orbiting, counter-orbiting or \
+                \falling (default: static)"
+          )
+      )
     <*> setting
       ( option
           number
@@ -126,6 +139,10 @@ photonOptions =
       )
     <*> toggle (long "quiet" <> short 'q' <> help "Do not report that the path is written")
 
+-- The observers whose directions of sight are directions in a frame of their own.
+movements :: [Observer]
+movements = filter (/= Coordinate) [minBound ..]
+
 -- The camera of the default scene, and a line of sight to the right of the hole.
 standardDistance, standardInclination, standardEta :: Double
 standardDistance = 30
@@ -135,8 +152,8 @@ standardEta = 0
 -- | A light path, and how to follow it.
 data PhotonTask
   = PhotonTask !Trajectory !Method
-  | -- | Around a rotating hole.
-    RotatingTask !Spin !LightRay
+  | -- | Around a rotating hole, or seen by an observer in motion.
+    RotatingTask !Follow.Method !Spin !Azimuth !LightRay
 
 -- | The ways to follow it.
 data Method
@@ -149,10 +166,10 @@ data Method
 resolvePhoton :: PhotonOptions -> Either [Problem] PhotonTask
 resolvePhoton options = case photonSpin options of
   Just s | s /= 0 -> resolveRotating options s
+  _ | photonObserver options /= Static -> resolveRotating options 0
   _ -> resolvePlanar options
 
--- | The path of a line of sight around a hole of a spin other than 0, for which there is
--- the closed form only.
+-- | The path of a line of sight around a hole of any spin, of an observer in any motion.
 resolveRotating :: PhotonOptions -> Double -> Either [Problem] PhotonTask
 resolveRotating options s = case (problems, ray) of
   ([], Right found) -> Right found
@@ -161,19 +178,13 @@ resolveRotating options s = case (problems, ray) of
   where
     problems =
       checkNumber "--spin" (\v -> abs v < 1) "a spin above -1 and below 1" s
-        ++ [ Mistake
-               "--impact"
-               "applies only without --spin; a path around a rotating hole has no impact parameter"
-             | Just _ <- [photonImpact options]
-           ]
+        ++ [Mistake "--impact" ("applies only " ++ planar) | Just _ <- [photonImpact options]]
         ++ [ Mistake "--psi" "missing; give --psi DEGREES for a line of sight"
              | Nothing <- [photonPsi options],
                Nothing <- [photonImpact options]
            ]
-        ++ [ Mistake
-               "--integrator"
-               (integratorName (photonIntegrator options) ++ " applies only without --spin")
-             | photonIntegrator options /= Exact
+        ++ [ Mistake "--integrator" ("leapfrog applies only " ++ planar)
+             | photonIntegrator options == Leapfrogging
            ]
         ++ [ Mistake
                "--step"
@@ -182,29 +193,61 @@ resolveRotating options s = case (problems, ray) of
            ]
         ++ checkNumber
           "--distance"
-          (\r -> r > 0.5 && r <= 1e6)
-          "a distance outside the ergosphere and up to 1e6 (Schwarzschild radii)"
+          (\r -> r > 0 && r <= 1e6)
+          "a distance above 0 and up to 1e6 (Schwarzschild radii)"
           distance
         ++ foldMap psiProblems (photonPsi options)
-        ++ sightProblems inclination (fromMaybe standardEta (photonEta options))
+        ++ sightProblems inclination eta
         ++ pathNameProblems options
+    planar
+      | s /= 0 = "without --spin, where every path lies in a plane"
+      | otherwise = "to an observer at rest (--observer static)"
     distance = fromMaybe standardDistance (photonDistance options)
     inclination = fromMaybe standardInclination (photonInclination options)
-    radians = (\(Radians v) -> v) . toRadians . Degrees
-    psi = radians (fromMaybe 0 (photonPsi options))
-    eta = radians (fromMaybe standardEta (photonEta options))
-    direction = Direction (negate (cos psi)) (negate (sin psi * sin eta)) (sin psi * cos eta)
-    ray = case spin s of
-      Just hole ->
+    psi = fromMaybe 0 (photonPsi options)
+    eta = fromMaybe standardEta (photonEta options)
+    observer = photonObserver options
+    direction =
+      Direction
+        (negate (cosine psi))
+        (negate (sine psi * sine eta))
+        (sine psi * cosine eta)
+    sine = sineOfDegrees . Degrees
+    cosine = cosineOfDegrees . Degrees
+    ray = case (spin s, kerrMotion observer) of
+      (Just hole, Just motion) ->
         maybe
-          (Left (tooClose hole))
-          (Right . RotatingTask hole)
-          (lightRay hole (Place distance (radians inclination)) AtRest direction)
-      Nothing -> Left (Problem "--spin" (showDouble s) "a spin above -1 and below 1")
-    tooClose hole =
-      Problem "--distance" (showDouble distance) $
-        "a distance above " ++ showDouble (ergosphereRadius hole (cos (radians inclination)))
-          ++ ", outside the ergosphere (Schwarzschild radii)"
+          (Left (noLight hole))
+          (Right . RotatingTask method hole (azimuth motion))
+          ( lightRay
+              hole
+              (Place distance (inRadians (toRadians (Degrees inclination))))
+              motion
+              direction
+          )
+      _ -> Left (Problem "--spin" (showDouble s) "a spin above -1 and below 1")
+    azimuth motion = if motion == InFreeFall then Ingoing 0 else BoyerLindquist 0
+    method = if photonIntegrator options == Tabulated then Follow.ByTable else Follow.InClosedForm
+    noLight hole
+      | observer == Falling =
+        Problem
+          "--psi"
+          (showDouble psi)
+          "a direction from which light reaches this observer inside the horizon"
+      | otherwise =
+        Problem "--distance" (showDouble distance) $
+          case observer of
+            Static ->
+              "a distance above " ++ showDouble (ergosphereRadius hole (cosine inclination))
+                ++ ", outside the ergosphere"
+            Zamo ->
+              "a distance above " ++ showDouble (horizonRadius hole) ++ ", outside the horizon"
+            _ -> "a distance at which a circular orbit is slower than light"
+            ++ " (Schwarzschild radii); "
+            ++ ( if observer == Zamo
+                   then "falling observers can be closer"
+                   else "zamo and falling observers can be closer"
+               )
 
 -- | The path around a hole that does not rotate.
 resolvePlanar :: PhotonOptions -> Either [Problem] PhotonTask

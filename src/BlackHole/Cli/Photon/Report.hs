@@ -14,6 +14,7 @@ import BlackHole.Cli.TextTable
 import BlackHole.Matter.KerrReport
 import BlackHole.Matter.PathReport
 import BlackHole.Spacetime.Fate
+import BlackHole.Spacetime.Follow (Method (ByTable, InClosedForm))
 import BlackHole.Spacetime.PlaneCrossing
 import BlackHole.Spacetime.Schwarzschild.Trajectory
 import BlackHole.Vector.XYZ (XYZ (..))
@@ -32,12 +33,18 @@ data PhotonOutcome
     ComparedOutcome !String !PathReport !PathReport
   | -- | That of the closed form around a rotating hole.
     RotatingOutcome !KerrReport
+  | -- | That of the renderer's table around a rotating hole, and that of the closed form.
+    ComparedRotating !KerrReport !KerrReport
   deriving (Eq, Show)
 
 -- | Follow the light. The path's points extend to 100 Schwarzschild radii, to the
 -- camera, or to four times the impact parameter, whichever is farthest.
 photonOutcome :: PhotonTask -> PhotonOutcome
-photonOutcome (RotatingTask hole ray) = RotatingOutcome (kerrReport hole 100 ray)
+photonOutcome (RotatingTask method hole azimuth ray) = case method of
+  ByTable -> ComparedRotating (report ByTable) (report InClosedForm)
+  _ -> RotatingOutcome (report method)
+  where
+    report way = kerrReport way hole 100 azimuth ray
 photonOutcome (PhotonTask trajectory method) = case method of
   ClosedForm -> ExactOutcome exact
   Leapfrog rule -> ComparedOutcome "leapfrog" (leapfrogReport rule drawn trajectory) exact
@@ -57,24 +64,41 @@ outcomeText json outcome
              ("error", Object (differenceMembers (reportDifference report exact)))
            ]
     RotatingOutcome report -> rotatingMembers report
+    ComparedRotating report exact ->
+      rotatingMembers report
+        ++ [ ("exact", Object (rotatingMembers exact)),
+             ("error", Object (rotatingDifference report exact))
+           ]
   | otherwise = case outcome of
     ExactOutcome report ->
       table [[name, content, unitOf name] | (name, content) <- rows report]
         ++ legend report
     ComparedOutcome name report exact ->
-      table
-        ( ["", name, "exact", "error", ""] :
-          besides
-            (rows report)
-            (rows exact)
-            (flatten (differenceMembers (reportDifference report exact)))
-        )
+      compared
+        name
+        (reportMembers report)
+        (reportMembers exact)
+        (differenceMembers (reportDifference report exact))
         ++ legend report
     RotatingOutcome report ->
       table [[name, content, unitOf name] | (name, content) <- flatten (rotatingMembers report)]
+        ++ unlines ["", "r_s is the Schwarzschild radius 2GM/c^2."]
+        ++ legendOf (not (null (kerrReportCrossings report)))
+    ComparedRotating report exact ->
+      compared
+        "table"
+        (rotatingMembers report)
+        (rotatingMembers exact)
+        (rotatingDifference report exact)
+        ++ unlines ["", "r_s is the Schwarzschild radius 2GM/c^2."]
         ++ legendOf (not (null (kerrReportCrossings report)))
   where
     rows = flatten . reportMembers
+    compared name own exact errors =
+      table
+        ( ["", name, "exact", "error", ""] :
+          besides (flatten own) (flatten exact) (flatten errors)
+        )
     besides own exact errors =
       [ [name, cell name own, cell name exact, cell name errors, unitOf name]
         | name <- map fst own ++ filter (`notElem` map fst own) (map fst exact)
@@ -126,6 +150,22 @@ rotatingMembers report =
     direction = case kerrReportFate report of
       Escaped (XYZ x y z) -> List [Number x, Number y, Number z]
       _ -> Null
+
+-- | Around a rotating hole: the angle in radians between the directions of escape, and
+-- the differences of what else the table changes.
+rotatingDifference :: KerrReport -> KerrReport -> [(String, Json)]
+rotatingDifference report exact =
+  [ ("minoTime", Number (kerrReportMinoTime report - kerrReportMinoTime exact)),
+    ( "escapeDirection",
+      case (kerrReportFate report, kerrReportFate exact) of
+        (Escaped to, Escaped there) -> Number (2 * asin (min 1 (0.5 * XYZ.distance to there)))
+        _ -> Null
+    ),
+    ( "crossings",
+      crossingList
+        (zipWith crossingDifference (kerrReportCrossings report) (kerrReportCrossings exact))
+    )
+  ]
 
 differenceMembers :: PathDifference -> [(String, Json)]
 differenceMembers difference =
@@ -183,8 +223,10 @@ outcomePoints :: PhotonOutcome -> [PathPoint]
 outcomePoints outcome = case outcome of
   ExactOutcome report -> reportPath report
   ComparedOutcome _ report _ -> reportPath report
-  RotatingOutcome report ->
-    [PathPoint time place | KerrPathPoint time place <- kerrReportPath report]
+  RotatingOutcome report -> timed report
+  ComparedRotating report _ -> timed report
+  where
+    timed report = [PathPoint time place | KerrPathPoint time place <- kerrReportPath report]
 
 -- | The points of the path as CSV: swept angle in radians (around a rotating hole, Mino
 -- time), and radius and position in Schwarzschild radii.
@@ -196,6 +238,7 @@ outcomeCsv outcome =
     heading = [parameter, "r", "x", "y", "z"]
     parameter = case outcome of
       RotatingOutcome _ -> "mino_time"
+      ComparedRotating _ _ -> "mino_time"
       _ -> "swept_angle_rad"
     row (PathPoint angle place@(XYZ x y z)) = map showDouble [angle, XYZ.norm place, x, y, z]
     line cells = Builder.string7 (intercalate "," cells) <> Builder.char7 '\n'

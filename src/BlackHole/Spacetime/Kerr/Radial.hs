@@ -96,7 +96,7 @@ radial precision hole ray
           then
             let shape = Outer r1 r2 r3 r4
              in Just $! motion shape rate complement (r4 > horizon)
-          else Just $! motion (Inner r1 r2 r3 r4) rate complement True
+          else Just $! motion (inner r1 r2 r3 r4) rate complement True
   | lower >= 0 =
     let other = sqrt lower
         (r1, r2) = (negate z - other, other - z)
@@ -118,6 +118,15 @@ radial precision hole ray
     r0 = rayRadius ray
     Roots z upper lower = rootsOf hole ray
     grows = rayRadialRate ray > 0
+    -- The two middle roots, if the others are so large that their difference loses digits, as
+    -- beside the ergosphere: from the products and sums of the roots.
+    inner r1 r2 r3 r4
+      | r3 < 0.01 * r4 = Inner r1 (product23 / upper3) upper3 r4
+      | otherwise = Inner r1 r2 r3 r4
+      where
+        upper3 = 0.5 * (sum23 + sqrt (max 0 (sum23 * sum23 - 4 * product23)))
+        sum23 = rayKappa ray / (product23 - r1 * r4)
+        product23 = negate (spinLength hole * spinLength hole * rayEta ray) / (r1 * r4)
     motion shape rate complement turns =
       Radial
         { _radialShape = shape,

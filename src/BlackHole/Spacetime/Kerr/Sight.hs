@@ -122,7 +122,8 @@ seer hole (Place r polarAngle) motion =
     _ -> Impossible
   where
     a = spinLength hole
-    c = cos polarAngle
+    -- Exactly 0 in the plane, whose angle is rounded.
+    c = let cosine = cos polarAngle in if abs cosine < 1e-16 then 0 else cosine
     -- On the axis the directions e_θ and e_φ are limits. A sine too small to
     -- matter takes the limit without a special case.
     s = max 1e-100 (sin polarAngle)

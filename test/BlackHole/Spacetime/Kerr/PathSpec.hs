@@ -159,6 +159,52 @@ spec = do
             `shouldSatisfy` expected
           | (n, expected) <- [(-1, (== Captured)), (1, upwards)]
         ]
+    -- Integrated with 50 digits by Taylor series, like those below.
+    it "of an observer just outside the ergosphere end after the right Mino time" $
+      kerrMinoTime
+        ( kerrPath
+            (spinOf 0.9)
+            (BoyerLindquist 0)
+            (look (spinOf 0.9) (Place 0.94652 (pi / 3)) (aimedAt 100 40))
+        )
+        `relatively` (1e-9, 8.3815275452852726492e-6)
+    it "of observers on left-handed orbits have their constants and their ends" $
+      sequence_
+        [ case lightRay hole (Place r (inclination * pi / 180)) (OnOrbit LeftHanded) direction of
+            Just ray -> do
+              rayObserved ray `relatively` (1e-14, nu)
+              rayLambda ray `relatively` (1e-14, lambda)
+              rayEta ray `relatively` (1e-14, q)
+              case (kerrFate (kerrPath hole (BoyerLindquist 0) ray), end) of
+                (Escaped to, Just there) -> XYZ.distance to there `shouldSatisfy` (< 1e-12)
+                (Captured, Nothing) -> pure ()
+                (fate, _) -> expectationFailure (show fate)
+            Nothing -> expectationFailure "no such observer"
+          | (s, r, inclination, direction, (nu, lambda, q), end) <-
+              [ ( 0.9,
+                  6,
+                  60,
+                  aimedAt 100 35,
+                  (0.82165328473196796999, -5.1853492430173862004, 16.677599422895184489),
+                  Just (XYZ 0.90799689481908629762 0.33194021364356157688 (-0.25565080395954925541))
+                ),
+                ( -0.7,
+                  3,
+                  90,
+                  aimedAt 60 (-130),
+                  (1.4644082500323838403, 0.60408351706764296107, 8.494465166030931158),
+                  Just (XYZ (-0.05795985152075091) 0.6943433932871638 (-0.7173060070919242))
+                ),
+                ( 0.5,
+                  8,
+                  75,
+                  aimedAt 20 200,
+                  (1.1271256664502786737, 0.43443979058931964099, 1.1220172155454117835),
+                  Nothing
+                )
+              ],
+            let hole = spinOf s
+        ]
     it "within the plane stay there and do not cross it" $ do
       let path =
             kerrPath
@@ -196,6 +242,7 @@ spec = do
         (raySpin row)
         (if rayMotion row == InFreeFall then Ingoing 0 else BoyerLindquist 0)
         (rayOf row)
+    aimedAt psi eta = aimed (psi * pi / 180) (eta * pi / 180)
     mirrored hole = spinOf (negate (dimensionlessSpin hole))
     shift hole ray point =
       rayObserved ray
