@@ -73,8 +73,11 @@ followKerr hole region phase path fate ray gather initial
     direction point = let azimuth = pointAzimuth point in Two (sin azimuth) (cos azimuth)
 
     march !n !lead !to !left !w !w' !u !u' !rate0 !sine !cosine rest !state
-      -- Also ends if a number is lost: the loop must not run for ever.
-      | not (left > 1e-14 && w < nearHorizon) = passages n rest state
+      -- Light that has circled near a photon orbit may leave the gas, or reach the hole, long
+      -- before the closed form's time: the orbit multiplies the error of every step. Without
+      -- this, its steps towards infinity would shrink for ever. Also ends if a number is lost.
+      | not (left > 1e-14 && w < nearHorizon && (w' > 0 || w * reach > 1)) =
+        passages n rest state
       -- Inside of the gas on the way into the hole.
       | w * inner > 1 && w' > 0 && fallsIn = finish n state
       | rho <= radius && abs (rM * uM) <= halfHeightAt region rho && rM >= inner =

@@ -55,6 +55,28 @@ spec = do
   it "has errors that fall as the fourth power of the step" $
     [worstError 0.16 / worstError 0.08, worstError 0.08 / worstError 0.04]
       `shouldSatisfy` all (> 12)
+  it "comes to an end with light that leaves a photon orbit before the closed form's time" $ do
+    -- An observer on a circular orbit between both photon orbits, in the plane.
+    let hole = spinOf 0.9
+        circling =
+          LightRay
+            { rayRadius = 1.5,
+              rayCosine = 0,
+              raySine = 1,
+              rayRadialRate = -1.5436164188402408,
+              rayPolarRate = 6.851102968110938e-2,
+              rayLambda = 1.421537577829341,
+              rayEta = 4.69376118796585e-3,
+              rayKappa = 0.9485790263224689,
+              rayObserved = 1.063695164997064
+            }
+        sight = RotatingSight hole (BoyerLindquist 0.7) circling
+        region = Region 11 0 0 6.1465831788796096e-2 0.18931434420911386 0.05 0.47328586052278465
+        count n _ = Continue (n + 1 :: Int)
+        phase = 0.9998651912046661
+        followed = follow (tracing (Kerr hole) ByTable (XYZ 1.5 0 0)) region phase sight count 0
+    -- Where it does not, this test does not end either.
+    followedState followed `shouldSatisfy` \n -> n > 100 && n < 10000
   it "gathers as much in a layer of gas by table as in closed form, at a tiny spin as at none" $
     sequence_
       [ gathered space method psi eta `shouldBeWithin` (0.02 * expected + 1e-3, expected)
