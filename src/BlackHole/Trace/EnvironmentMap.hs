@@ -252,7 +252,7 @@ levelRadiance image level (Place u v) = mixRadiance t (ringAt above) (ringAt (ab
 
 -- | Light along one ring, linear between the fields' middles, round the seam.
 ringRadiance :: EnvironmentMap -> Int -> Double -> Radiance
-ringRadiance image ring u = mixRadiance t (at left) (at (if left + 1 >= n then left + 1 - n else left + 1))
+ringRadiance image ring u = mixRadiance t (at left) (at right)
   where
     start = U.unsafeIndex (imageRingStart image) ring
     n = U.unsafeIndex (imageRingStart image) (ring + 1) - start
@@ -260,6 +260,7 @@ ringRadiance image ring u = mixRadiance t (at left) (at (if left + 1 >= n then l
     whole = truncate column :: Int
     t = column - fromIntegral whole
     left = whole `rem` n
+    right = if left + 1 >= n then left + 1 - n else left + 1
     at j = fieldRadiance (imageFields image) (start + j)
 
 -- | The light at a point, blurred to fields of a given size in radians, from the

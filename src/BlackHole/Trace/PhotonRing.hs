@@ -49,7 +49,8 @@ photonRing traced point@(XY x y) = case (tracerMatter traced, tracedOffset trace
           down = below - here
           growth = sqrt (across * across + down * down),
       abs here < 1.5 * (abs across + abs down) ->
-      Just (PhotonRing (XY (negate across / growth) (negate down / growth)) growth (abs here / growth))
+      let normal = XY (negate across / growth) (negate down / growth)
+       in Just (PhotonRing normal growth (abs here / growth))
   _ -> Nothing
   where
     scene = tracerScene traced

@@ -118,7 +118,8 @@ pointStarRadiance seed stars = ByDifferential (withStars 1 field band)
     catalogue = starCatalogue (purposeSeed seed StarPlaces) (pointStarsCount stars)
     band
       | pointStarsMilkyWay stars > 0 =
-        filtered id (pointStarsMilkyWay stars) (const id) (milkyWay (purposeSeed seed GalacticClouds))
+        filtered id (pointStarsMilkyWay stars) (const id) $
+          milkyWay (purposeSeed seed GalacticClouds)
       | otherwise = blackSky
 
 -- | An image of the sky with the turn ('turned') and the brightness of an environment
@@ -149,7 +150,9 @@ withStars gain field sky =
   field `seq` sky {skyStars = brightened (starFieldRadiance field), skyBetween = between}
   where
     between first final =
-      (skyBetween sky first final) {betweenStars = brightened <$> starFieldBetween field first final}
+      (skyBetween sky first final)
+        { betweenStars = brightened <$> starFieldBetween field first final
+        }
     brightened stars g differential = scaleRadiance gain (stars g differential)
 
 -- | No light at all.

@@ -83,9 +83,11 @@ skySpan _ _ _ = UnevenSpan
 -- | The light of the sky behind a pixel, given the span that holds it.
 skyInSpan :: Tracer -> SkySpan -> Int -> Int -> Radiance
 skyInSpan traced UnevenSpan column row = patchLight (pixelSky traced column row)
-skyInSpan _ (EvenSpan sky (SkyNode first shift light) (SkyNode final shift' light') between middle) column _ =
+skyInSpan _ (EvenSpan sky node node' between middle) column _ =
   maybe diffuse (\stars -> diffuse <+> stars g beam) (betweenStars between)
   where
+    SkyNode first shift light = node
+    SkyNode final shift' light' = node'
     diffuse = case betweenDiffuse between of
       Linear -> mixRadiance t light light'
       LinearByHalves

@@ -199,7 +199,7 @@ starFieldBetween field@(StarField tiers) first final
 
 -- | Adds the stars of a tier in a window to others.
 starsWithin :: Window -> Tier -> [FieldStar] -> [FieldStar]
-starsWithin window@(Window face u0 u1 v0 v1) t others = overWindow t window add others
+starsWithin window@(Window face u0 u1 v0 v1) t = overWindow t window add
   where
     add star@(FieldStar (XYZ x y z) _ _) stars
       | inside = star : stars
@@ -291,7 +291,7 @@ tierPoints !look (Windows window others) t = case others of
   [] -> inWindow window black
   _ -> foldr inWindow (inWindow window black) others
   where
-    inWindow w light = overWindow t w (starThrough look) light
+    inWindow w = overWindow t w (starThrough look)
 
 -- | A star's direction, flux and temperature.
 data FieldStar = FieldStar {-# UNPACK #-} !XYZ !Double !Double
@@ -301,10 +301,11 @@ starThrough :: Look -> FieldStar -> Radiance -> Radiance
 starThrough (Look g d p q) (FieldStar place flux temperature) light
   | abs x >= kernelRadius || abs y >= kernelRadius || XYZ.dot d place <= 0 = light
   | otherwise =
-    light <+> scaleRadiance (flux * pixelKernel x * pixelKernel y) (tabulatedColour (g * temperature))
+    light <+> scaleRadiance share (tabulatedColour (g * temperature))
   where
     x = XYZ.dot p place
     y = XYZ.dot q place
+    share = flux * pixelKernel x * pixelKernel y
 {-# INLINE starThrough #-}
 
 -- | Applies a function to all stars of a tier in the cells that a window touches, one after
@@ -323,7 +324,8 @@ overWindow (Tier side _ cells stars _) (Window face u0 u1 v0 v1) add =
     start i = fromIntegral (U.unsafeIndex cells i) :: Int
     scan !i !end !found
       | i >= end = found
-      | otherwise = scan (i + 1) end (add (FieldStar (XYZ (at 0) (at 1) (at 2)) (at 3) (at 4)) found)
+      | otherwise = scan (i + 1) end (add star found)
       where
+        star = FieldStar (XYZ (at 0) (at 1) (at 2)) (at 3) (at 4)
         at k = float2Double (U.unsafeIndex stars (starNumbers * i + k))
 {-# INLINE overWindow #-}

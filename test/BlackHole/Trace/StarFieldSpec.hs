@@ -96,7 +96,8 @@ spec = do
             b = XYZ.cross a d
             seen shader = [luminance (shader 0.8 differential) | differential <- beams]
             few = maybe (map (const 0) beams) seen (starFieldBetween many (head beams) (last beams))
-         in conjoin (zipWith (\x y -> closeTo (1e-9 * (1 + y)) y x) few (seen (starFieldRadiance many)))
+            close found expected = closeTo (1e-9 * (1 + expected)) expected found
+         in conjoin (zipWith close few (seen (starFieldRadiance many)))
   it
     "on a caustic a star is as bright as in a beam of a sixtieth of the width, or four pixels \
     \from it where that is less"
