@@ -65,9 +65,9 @@ starField unitFlux stars = foldr seq (StarField tiers) tiers
     tiers =
       [ tier unitFlux stars side limit rings from (min to (starCount stars))
         | (from, to, side, limit, rings) <-
-            [ (0, 400, 16, 0.3, 32),
-              (400, 6000, 64, 0.115, 64),
-              (6000, starCount stars, 160, 0.042, 128)
+            [ (0, 400, 16, 0.43, 32),
+              (400, 6000, 64, 0.166, 64),
+              (6000, starCount stars, 160, 0.06, 128)
             ],
           from < min to (starCount stars)
       ]
@@ -167,11 +167,17 @@ starFieldRadiance (StarField tiers) g differential@(RayDifferential (XYZ dx dy d
       | otherwise =
         go (light <+> scaleRadiance share (points t) <+> scaleRadiance (1 - share) (blurred t)) rest
       where
-        share = max 0 (min 1 (2 - 2 * extent / tierLimit t))
+        share = pointShare extent t
     points t
       | weight > 0 = scaleRadiance weight (tierPoints look windows t)
       | otherwise = black
     blurred t = shiftedStars g (environmentMapRadiance (tierBlurred t) differential)
+
+-- | The share of a tier's stars that are seen as points in a beam of this extent; the others
+-- come from the blurred image.
+pointShare :: Double -> Tier -> Double
+pointShare extent t = max 0 (min 1 (4 - 4 * extent / tierLimit t))
+{-# INLINE pointShare #-}
 
 -- | The light of the stars through all beams along a line in the picture, from the first
 -- and the last, whose directions must differ little: 'Nothing' if no star stands there, and
@@ -192,8 +198,7 @@ starFieldBetween field@(StarField tiers) first final
               stars -> Just (fewStars stars)
     _ -> Just (starFieldRadiance field)
   where
-    wide differential =
-      not (all (\t -> 2 * kernelRadius * differentialExtent differential < tierLimit t) tiers)
+    wide differential = any ((< 1) . pointShare (kernelRadius * differentialExtent differential)) tiers
     -- Between the two, beams may be wider or farther to the side.
     windows = windowsThrough (1.25 * kernelRadius)
 
