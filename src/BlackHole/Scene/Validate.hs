@@ -178,7 +178,7 @@ crossFaults scene = pose ++ projected ++ lens ++ bar ++ foldMap edges (sceneDisk
       r > least && r <= 1e6 && observerExists (sceneSpacetime scene) (sceneObserver scene) place
     placeRange =
       "a distance above "
-        ++ showNumber least
+        ++ showNumber (fromIntegral (ceiling (1e4 * least) :: Int) / 1e4)
         ++ " and up to 1e6 Schwarzschild radii from the hole (for the "
         ++ observerName (sceneObserver scene)
         ++ " observer"

@@ -71,8 +71,7 @@ observerName observer = case observer of
   Coordinate -> "coordinate"
 
 -- | The radius above which such an observer can exist, at a position of this polar angle
--- in radians. On orbits off the plane of a rotating hole it is a lower bound;
--- 'observerExists' is exact.
+-- in radians.
 observerRange :: Spacetime -> Observer -> Double -> Double
 observerRange space observer polarAngle = case space of
   Flat -> 1
@@ -86,10 +85,20 @@ observerRange space observer polarAngle = case space of
   Kerr hole -> case observer of
     Static -> ergosphereRadius hole (cos polarAngle)
     Zamo -> horizonRadius hole
-    Orbiting -> horizonRadius hole
-    CounterOrbiting -> horizonRadius hole
+    Orbiting -> leastOrbit (horizonRadius hole) 10
+    CounterOrbiting -> leastOrbit (horizonRadius hole) 10
     Falling -> 0
     Coordinate -> 1
+  where
+    -- By bisection, to rounding: far out there is an orbit, at the horizon none.
+    leastOrbit :: Double -> Double -> Double
+    leastOrbit low high
+      | middle <= low || middle >= high = high
+      | observerExists space observer (XYZ (middle * sin polarAngle) (middle * cos polarAngle) 0) =
+        leastOrbit low middle
+      | otherwise = leastOrbit middle high
+      where
+        middle = 0.5 * (low + high)
 
 -- | Whether such an observer can exist at a position.
 observerExists :: Spacetime -> Observer -> XYZ -> Bool

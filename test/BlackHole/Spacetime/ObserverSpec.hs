@@ -1,5 +1,6 @@
 module BlackHole.Spacetime.ObserverSpec (spec) where
 
+import BlackHole.Spacetime.Kerr.Landmarks
 import BlackHole.Spacetime.Observer
 import BlackHole.Spacetime.Photon
 import BlackHole.Spacetime.Schwarzschild.Radii (criticalImpactParameter)
@@ -9,6 +10,7 @@ import qualified BlackHole.Vector.XYZ as XYZ
 import Data.Maybe (fromMaybe)
 import Support.Approx
 import Support.Generators
+import Support.KerrReference
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck
@@ -51,6 +53,13 @@ spec = do
             other -> counterexample (show other) False
     it "cannot be inside the photon sphere" $
       sightLine Schwarzschild Orbiting (XYZ 0 0 1.5) (XYZ 0 1 0) `shouldBe` Nothing
+    it "can be down to the photon orbit of a rotating hole" $
+      sequence_
+        [ observerRange (Kerr hole) observer (pi / 2)
+            `shouldBeWithin` (1e-6, photonOrbitRadius handedness hole)
+          | (observer, handedness) <- [(Orbiting, RightHanded), (CounterOrbiting, LeftHanded)],
+            hole <- map spinOf [0.9, -0.4]
+        ]
   describe "falling" $ do
     it "sees the light that follows him red-shifted" $
       frequencyAt Falling (XYZ 0 0 4) (XYZ 0 0 1) `shouldBeWithin` (1e-12, 1 / 1.5)

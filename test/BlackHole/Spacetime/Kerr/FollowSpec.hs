@@ -52,6 +52,22 @@ spec = do
                       Momentum radial lambda = segmentMomentum segment
                       signum' grows = if grows then -1 else 1
               ]
+  prop "no point of a path near the plane and within a radius is outside all passages" $
+    forAll sights $ \(hole, _, ray, _) -> forAll ((,) <$> choose (3, 30) <*> choose (0.05, 0.9)) $
+      \(limit, steepest) ->
+        let path = kerrPath hole (BoyerLindquist 0) ray
+            time = kerrMinoTime path
+            passages = kerrPassages path limit steepest
+            inOne t = any (\(from, to) -> t >= from - 1e-9 && t <= to + 1e-9) passages
+         in conjoin
+              [ counterexample (show (t, point, passages)) (inOne t)
+                | k <- [1 .. 399 :: Int],
+                  let t = time * fromIntegral k / 400
+                      point = kerrPoint path t,
+                  pointRadius point < 0.999 * limit,
+                  abs (pointCosine point) < 0.999 * steepest,
+                  pointRadius point > 1.001 * horizonRadius hole
+              ]
   it "has errors that fall as the fourth power of the step" $
     [worstError 0.16 / worstError 0.08, worstError 0.08 / worstError 0.04]
       `shouldSatisfy` all (> 12)
