@@ -198,7 +198,8 @@ starFieldBetween field@(StarField tiers) first final
               stars -> Just (fewStars stars)
     _ -> Just (starFieldRadiance field)
   where
-    wide differential = any ((< 1) . pointShare (kernelRadius * differentialExtent differential)) tiers
+    wide differential =
+      any ((< 1) . pointShare (kernelRadius * differentialExtent differential)) tiers
     -- Between the two, beams may be wider or farther to the side.
     windows = windowsThrough (1.25 * kernelRadius)
 
