@@ -60,6 +60,15 @@ spec = do
     map count beside `shouldSatisfy` all (`elem` [8, 16])
     map count beside `shouldContain` [8]
     map count (take 50 others) `shouldBe` replicate 50 2
+  it "open sky ends beside a pixel with gas, in all directions and across spans" $ do
+    Just traced <- pure (tracer even' {scenePicture = Picture 32 9})
+    forM_ [(10, 4), (8, 4), (15, 4)] $ \(c, r) -> do
+      let layersAt x y = if (x, y) == (c, r) then shining 1 else Layers black 1 1
+          rays x y =
+            let start = x - x `rem` 8
+                within = pixelSpan traced Nothing Nothing layersAt start y
+             in pixelRays (refinedPixel traced (kernel (sceneFilter even')) within layersAt x y)
+      [rays (c + x) (r + y) | x <- [-1 .. 1], y <- [-1 .. 1]] `shouldSatisfy` all (> 1)
   it "the span that finds the photon ring misses no pixel on it" $
     forM_ [ringed, ringed {scenePicture = Picture 320 180}] $ \scene -> do
       Just traced <- pure (tracer scene {sceneNoise = 1})

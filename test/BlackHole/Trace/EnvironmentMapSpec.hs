@@ -121,6 +121,12 @@ spec = do
                   RayDifferential (XYZ 0 0 1) (XYZ bad 0 0) (XYZ 0 1 0)
                 ]
           ]
+  it "is linear between beams in a field, by halves in two, and uneven beyond" $ do
+    Just image <- pure (environmentMapFromPixels 36 18 (\_ _ -> grey 1))
+    let field = pi / 18
+        beam angle = RayDifferential (XYZ (sin angle) 0 (cos angle)) (XYZ 0.01 0 0) (XYZ 0 0.01 0)
+    [evennessBetween image (beam 0) (beam (k * field)) | k <- [0.9, 1.1, 1.9, 2.1]]
+      `shouldBe` [Linear, LinearByHalves, LinearByHalves, Uneven]
   it "an empty picture is none" $
     fmap environmentMapMean (environmentMapFromPixels 0 4 (\_ _ -> black)) `shouldBe` Nothing
   where

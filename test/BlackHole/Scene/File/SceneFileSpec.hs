@@ -15,6 +15,8 @@ import BlackHole.Scene.Scene
 import BlackHole.Scene.Setting
 import BlackHole.Scene.Sky
 import BlackHole.Scene.Validate (validateScene)
+import BlackHole.Spacetime.Kerr.Landmarks (spin)
+import BlackHole.Spacetime.Types (Spacetime (..), spacetimeIsco)
 import Control.Monad (filterM)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Builder as Builder
@@ -81,6 +83,12 @@ spec = do
         `shouldBe` Right (SkyStars realSky {realSkyRotation = Degrees 20})
       fmap sceneSky (parse "sky: {kind: a/b.png, panorama: {rotation: 20}}")
         `shouldBe` Right (SkyPanorama (panoramaOf "a/b.png") {panoramaRotation = Degrees 20})
+  it "a disk down to the innermost stable orbit follows the spin, but not a given radius" $ do
+    let inner = fmap (fmap diskInnerRadius . sceneDisk) . parse
+    Just hole <- pure (spin 0.5)
+    inner "preset: kerr\nhole: {spin: 0.5}" `shouldBe` Right (Just (spacetimeIsco (Kerr hole)))
+    inner "preset: kerr\nhole: {spin: 0.5}\ndisk: {inner: 2}" `shouldBe` Right (Just 2)
+    inner "preset: luminet\ndisk: {inner: 4}\nhole: {spin: 0.5}" `shouldBe` Right (Just 4)
   it "options count more than the file" $
     fmap
       sceneSamples

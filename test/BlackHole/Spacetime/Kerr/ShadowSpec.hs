@@ -37,7 +37,8 @@ spec = do
     sequence_
       [ [fate hole place (towards scale direction) | scale <- [1 - 1e-6, 1 + 1e-6]]
           `shouldBe` ["captured", "escapes"]
-        | (s, r, i) <- [(0.9, 20, 80), (0.998, 10, 30), (-0.7, 5, 120), (1e-7, 8, 60)],
+        | (s, r, i) <-
+            [(0.9, 20, 80), (0.998, 10, 30), (0.9, 1.4, 80), (-0.7, 5, 120), (1e-7, 8, 60)],
           let hole = spinOf s
               place = Place r (i * pi / 180),
           alpha <- [0.1, 0.6 .. 6.2],
