@@ -30,26 +30,23 @@ toDegrees (Radians r) = Degrees (r * 180 / pi)
 
 -- | The sine of an angle; exact for multiples of 90 degrees.
 sineOfDegrees :: Degrees -> Double
-sineOfDegrees (Degrees d) = case quarter `mod` 4 of
+sineOfDegrees = sineAfterQuarters 0
+
+-- | The cosine of an angle; exact for multiples of 90 degrees.
+cosineOfDegrees :: Degrees -> Double
+cosineOfDegrees = sineAfterQuarters 1
+
+-- | The sine of the sum of a number of quarter turns and an angle.
+sineAfterQuarters :: Integer -> Degrees -> Double
+sineAfterQuarters more (Degrees d) = case (more + nearest) `mod` 4 of
   0 -> sin rest
   1 -> cos rest
   2 -> negate (sin rest)
   _ -> negate (cos rest)
   where
-    quarter = round (d / 90) :: Integer
+    nearest = round (d / 90)
     -- Exact: both are multiples of the last digit of d.
-    Radians rest = toRadians (Degrees (d - 90 * fromIntegral quarter))
-
--- | The cosine of an angle; exact for multiples of 90 degrees.
-cosineOfDegrees :: Degrees -> Double
-cosineOfDegrees (Degrees d) = case quarter `mod` 4 of
-  0 -> cos rest
-  1 -> negate (sin rest)
-  2 -> negate (cos rest)
-  _ -> sin rest
-  where
-    quarter = round (d / 90) :: Integer
-    Radians rest = toRadians (Degrees (d - 90 * fromIntegral quarter))
+    Radians rest = toRadians (Degrees (d - 90 * fromIntegral nearest))
 
 -- | @arcTangent2 y x@ is the angle of the point @(x, y)@ in radians, from −π to π,
 -- equal to @atan2 y x@ except that signed zeros and infinities get no special

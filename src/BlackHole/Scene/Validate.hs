@@ -175,7 +175,7 @@ crossFaults scene = pose ++ projected ++ lens ++ bar ++ foldMap edges (sceneDisk
         (sceneObserver scene)
         (acos (max (-1) (min 1 (elevation / XYZ.norm place))))
     standsAt r =
-      r > least && r <= 1e6 && observerExists (sceneSpacetime scene) (sceneObserver scene) place
+      r > 0 && r <= 1e6 && observerExists (sceneSpacetime scene) (sceneObserver scene) place
     placeRange =
       "a distance above "
         ++ showNumber (fromIntegral (ceiling (1e4 * least) :: Int) / 1e4)

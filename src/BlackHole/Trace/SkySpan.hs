@@ -1,8 +1,8 @@
 -- | The sky behind a few pixels of a row at once.
 --
--- Between two beams that differ little, the beams between them follow by interpolation.
--- Where moreover no star stands between them and the diffuse light is even, so does the
--- light.
+-- Between two beams that differ little, the beams between them follow by interpolation, and
+-- so does the diffuse light where it is even. The stars are searched for once for all of
+-- them.
 module BlackHole.Trace.SkySpan
   ( SkyNode,
     skyNode,
@@ -73,7 +73,7 @@ skySpan traced (Just node@(SkyNode first shift _)) (Just node'@(SkyNode final sh
   where
     RayDifferential d a b = first
     RayDifferential d' a' b' = final
-    -- The beams change little, and nearly linearly.
+    -- The beams change by less than half, and nearly linearly.
     straight =
       within 0.25 (a' ^-^ a) && within 0.25 (b' ^-^ b)
         && within 0.001 ((1 / fromIntegral spanLength) *^ (d' ^-^ d) ^-^ 0.5 *^ (a ^+^ a'))

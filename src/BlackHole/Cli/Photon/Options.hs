@@ -15,11 +15,12 @@ import BlackHole.Numeric.Angle
 import BlackHole.Scene.Problem (Problem (..))
 import BlackHole.Scene.Scene (Integrator (..), integratorName)
 import qualified BlackHole.Spacetime.Follow as Follow
-import BlackHole.Spacetime.Kerr.Landmarks (Spin, ergosphereRadius, horizonRadius, spin)
+import BlackHole.Spacetime.Kerr.Landmarks (Spin, spin)
 import BlackHole.Spacetime.Kerr.Sight
-import BlackHole.Spacetime.Observer (Observer (..), kerrMotion, observerName)
+import BlackHole.Spacetime.Observer (Observer (..), kerrMotion, observerName, observerRange)
 import BlackHole.Spacetime.Schwarzschild.StepRule (StepRule (..), reportStepRule)
 import BlackHole.Spacetime.Schwarzschild.Trajectory
+import BlackHole.Spacetime.Types (Spacetime (Kerr))
 import Data.Maybe (fromMaybe)
 import Options.Applicative
 
@@ -221,11 +222,12 @@ resolveRotating options s = case (problems, ray) of
           (Right . RotatingTask method hole (azimuth motion))
           ( lightRay
               hole
-              (Place distance (inRadians (toRadians (Degrees inclination))))
+              (Place distance polarAngle)
               motion
               direction
           )
       _ -> Left (Problem "--spin" (showDouble s) "a spin above -1 and below 1")
+    polarAngle = inRadians (toRadians (Degrees inclination))
     azimuth motion = if motion == InFreeFall then Ingoing 0 else BoyerLindquist 0
     method = if photonIntegrator options == Tabulated then Follow.ByTable else Follow.InClosedForm
     noLight hole
@@ -236,13 +238,12 @@ resolveRotating options s = case (problems, ray) of
           "a direction from which light reaches this observer inside the horizon"
       | otherwise =
         Problem "--distance" (showDouble distance) $
-          case observer of
-            Static ->
-              "a distance above " ++ showDouble (ergosphereRadius hole (cosine inclination))
-                ++ ", outside the ergosphere"
-            Zamo ->
-              "a distance above " ++ showDouble (horizonRadius hole) ++ ", outside the horizon"
-            _ -> "a distance at which a circular orbit is slower than light"
+          "a distance above " ++ showDouble (observerRange (Kerr hole) observer polarAngle)
+            ++ ( case observer of
+                   Static -> ", outside the ergosphere"
+                   Zamo -> ", outside the horizon"
+                   _ -> ", where a circular orbit is slower than light"
+               )
             ++ " (Schwarzschild radii); "
             ++ ( if observer == Zamo
                    then "falling observers can be closer"

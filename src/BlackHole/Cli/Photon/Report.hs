@@ -82,18 +82,19 @@ outcomeText json outcome
         ++ legend report
     RotatingOutcome report ->
       table [[name, content, unitOf name] | (name, content) <- flatten (rotatingMembers report)]
-        ++ unlines ["", "r_s is the Schwarzschild radius 2GM/c^2."]
-        ++ legendOf (not (null (kerrReportCrossings report)))
+        ++ rotatingLegend report
     ComparedRotating report exact ->
       compared
         "table"
         (rotatingMembers report)
         (rotatingMembers exact)
         (rotatingDifference report exact)
-        ++ unlines ["", "r_s is the Schwarzschild radius 2GM/c^2."]
-        ++ legendOf (not (null (kerrReportCrossings report)))
+        ++ rotatingLegend report
   where
     rows = flatten . reportMembers
+    rotatingLegend report =
+      unlines ["", "r_s is the Schwarzschild radius 2GM/c^2."]
+        ++ legendOf (not (null (kerrReportCrossings report)))
     compared name own exact errors =
       table
         ( ["", name, "exact", "error", ""] :
